@@ -1,11 +1,12 @@
 //! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
-//! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
+//! what accuracy costs, `cargo xtask accuracy` how often stated errors hold the truth, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
 //! `cargo xtask shear-sign` which way friction points along a loaded hole, `cargo xtask mesh-dependence` what ply discount makes of a
 //! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements, `cargo xtask
 //! closed-loop` how often friction from fringe pictures lies in its interval, `cargo xtask torture` what random cases break,
 //! `cargo xtask size` how long the code is, `cargo xtask docs` writes the tables of keys, `cargo xtask same-answers` whether results are those of an
 //! earlier revision, `cargo xtask wasm` whether a WebAssembly runtime finds the same numbers.
 
+mod accuracy;
 mod chart;
 mod closed_loop;
 mod cosine;
@@ -39,6 +40,8 @@ struct Arguments {
 enum Task {
     /// Compares computed quantities with known solutions; fails if one misses its bound.
     Validate(validate::Options),
+    /// Counts how often stated errors hold the truth; fails if too few do.
+    Accuracy(accuracy::Options),
     /// Draws work–precision charts: what accuracy costs with each method.
     Chart(chart::Options),
     /// Draws the atlas of failures: what each method does where methods fail.
@@ -79,6 +82,7 @@ fn main() -> ExitCode {
     let start = Instant::now();
     let outcome = match Arguments::parse().task {
         Task::Validate(options) => validate::main(&options),
+        Task::Accuracy(options) => accuracy::main(&options),
         Task::Chart(options) => chart::main(&options),
         Task::Stability(options) => stability::main(&options),
         Task::ClosedLoop(options) => closed_loop::STUDY.main(&options),

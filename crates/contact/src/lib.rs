@@ -20,6 +20,7 @@
 //! | [`history`] | load steps, sub-steps, cut-back, dissipation |
 //! | [`uniqueness`] | an estimate of the friction coefficient up to which a step has one solution |
 //! | [`zones`] | where contact is open, sticks and slips, with interpolated ends |
+//! | [`peaks`] | peaks of stress and pressure along an edge, with estimated errors |
 //! | [`audit`] | equilibrium of every step |
 //! | [`freedom`] | rigid motions that no contact resists |
 //!
@@ -75,6 +76,7 @@ pub mod gap;
 pub mod history;
 pub mod interface;
 pub mod mortar;
+pub mod peaks;
 pub mod problem;
 pub mod solver;
 pub mod state;

@@ -11,6 +11,7 @@
 //! | [`model`] | meshes, bodies, contact pairs, load history, with the choices made |
 //! | [`run`](mod@run) | condense the bodies, follow the history, recover what is reported |
 //! | [`results`] | what a run yields |
+//! | [`series`] | bodies without a mesh, and what is reported of them |
 //! | [`LoadScale`] | what tables and figures count the load steps by |
 
 pub mod failure;
@@ -18,6 +19,7 @@ mod load_scale;
 pub mod model;
 pub mod results;
 pub mod run;
+pub mod series;
 
 /// The crates of scenes, bodies, laws, contacts, laminates and joints that models and results hold.
 pub use {

@@ -13,6 +13,7 @@ mod remarks;
 mod request;
 mod resultant;
 mod room;
+mod series;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -27,6 +28,7 @@ use stickslip_friction::Mirror;
 use thiserror::Error;
 
 use crate::results::{Choice, EdgeGeometry, Finding};
+use crate::series::SeriesBody;
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
 use stickslip_scene::placement::offset;
@@ -144,6 +146,16 @@ pub enum ModelError {
         /// Why they cannot.
         what: String,
     },
+    /// `model = "series"` for a body that no series holds.
+    #[error(
+        "body '{body}' cannot be modelled by series: it {why}; say model = \"elements\" or \"auto\", and give a mesh"
+    )]
+    NotSeries {
+        /// The body.
+        body: String,
+        /// Why, as the end of a sentence about the body.
+        why: String,
+    },
     /// `model = "half"` where the scene has no such symmetry.
     #[error("model = \"half\" asks for symmetry, but {0}; say model = \"whole\" or \"auto\"")]
     NotSymmetric(String),
@@ -174,6 +186,18 @@ pub struct ModelBody {
     pub kind: ModelBodyKind,
     /// Mesh nodes of its contact points, in the order that pairs refer to; empty for rigid bodies.
     pub interface: Vec<usize>,
+    /// Its operator where it is a series, ready; its mesh is then the places where fields are shown.
+    pub series: Option<Arc<SeriesBody>>,
+}
+
+impl ModelBody {
+    /// The body, its mesh, loads and materials; `None` for a rigid one.
+    pub fn elastic(&self) -> Option<&Arc<ElasticBody>> {
+        match &self.kind {
+            ModelBodyKind::Elastic(body) => Some(body),
+            ModelBodyKind::Rigid(_) => None,
+        }
+    }
 }
 
 /// An elastic or a rigid body.
@@ -263,10 +287,11 @@ impl Model {
     /// # Errors
     /// [`ModelError`]; nothing large is allocated before the size of the meshes is known.
     pub fn build(scene: &Scene) -> Result<Self, ModelError> {
-        let plan = Plan::of(scene);
+        let mut plan = Plan::of(scene);
         limits::check(&plan)?;
         let mut choices = Vec::new();
         let half = extent::choose(&plan, &mut choices)?;
+        series::choose(&mut plan, scene, half, &mut choices)?;
         let meshes = meshes::build(&plan, scene.limits(), half, &mut choices)?;
         let materials = materials(scene)?;
         let contacts = contacts::build(&plan, scene.display, &meshes, half, &mut choices)?;
@@ -276,6 +301,7 @@ impl Model {
                 name: plan.bodies[index].name.to_owned(),
                 kind: loads::body(&plan, index, &meshes, &materials, half, &points)?,
                 interface,
+                series: plan.bodies[index].series.clone(),
             })
         };
         let bodies = ends.enumerate().map(body);

@@ -5,6 +5,9 @@ mod finding;
 mod frame;
 mod progressive;
 mod resolution;
+mod stated;
+
+pub use stated::{Errors, Ladder, LadderEnd, Rung, Stated};
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -64,6 +67,8 @@ pub struct Results {
     pub failure: Vec<BodyFailure>,
     /// Wall time of each phase `[s]`.
     pub phases: Vec<(&'static str, f64)>,
+    /// How the accuracy was sought; `None` where none was asked for and the scene gives a mesh.
+    pub ladder: Option<Ladder>,
 }
 
 impl Results {
@@ -207,6 +212,8 @@ pub struct EdgeResults {
     pub friction_force: f64,
     /// ∫p dA over the whole contact `[N]`.
     pub normal_force: f64,
+    /// Estimated errors of these numbers, where the scene asks for an accuracy or leaves the mesh to the program.
+    pub errors: Errors,
 }
 
 impl EdgeGeometry {

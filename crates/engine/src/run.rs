@@ -5,6 +5,8 @@ mod doubts;
 mod edges;
 mod failure;
 mod fields;
+mod ladder;
+mod peaks;
 mod progressive;
 mod remarks;
 mod reported;
@@ -29,6 +31,7 @@ use crate::results::{
     BodySummary, Choice, EdgeGeometry, EdgeResults, Finding, ResultPart, Results, StepNotes,
     StepResults,
 };
+use crate::series::SeriesBody;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{FieldOutput, SolverChoice};
 
@@ -93,6 +96,8 @@ pub enum Progress {
 pub enum Operator {
     /// Condensed finite elements.
     Elastic(Arc<CondensedBody>),
+    /// A series.
+    Series(Arc<SeriesBody>),
     /// Rigid.
     Rigid(stickslip_fem_core::RigidBody),
 }
@@ -102,15 +107,24 @@ impl Operator {
     pub fn interface(&self) -> &dyn InterfaceOperator {
         match self {
             Self::Elastic(body) => body.as_ref(),
+            Self::Series(body) => body.interface(),
             Self::Rigid(body) => body,
         }
     }
 
-    /// The condensed body, if it is elastic.
+    /// The body by series, if it is one.
+    pub fn series(&self) -> Option<&SeriesBody> {
+        match self {
+            Self::Series(body) => Some(body),
+            Self::Elastic(_) | Self::Rigid(_) => None,
+        }
+    }
+
+    /// The condensed body, if it is made of finite elements.
     pub fn elastic(&self) -> Option<&CondensedBody> {
         match self {
             Self::Elastic(body) => Some(body),
-            Self::Rigid(_) => None,
+            Self::Series(_) | Self::Rigid(_) => None,
         }
     }
 }
@@ -142,12 +156,18 @@ impl Solved {
     }
 }
 
-/// Runs `scene` and reports to `progress`.
+/// Runs `scene` and reports to `progress`. Where the scene asks for an accuracy or gives no mesh, finer and finer models are tried until their
+/// estimated errors meet it.
 ///
 /// # Errors
 /// [`RunError`].
 pub fn run(scene: &Scene, progress: &mut dyn FnMut(Progress)) -> Result<Results, RunError> {
-    run_with(scene, solver(scene.analysis.solver).as_ref(), progress)
+    let solver = solver(scene.analysis.solver);
+    if scene.seeks_accuracy() {
+        ladder::climb(scene, solver.as_ref(), progress)
+    } else {
+        run_with(scene, solver.as_ref(), progress)
+    }
 }
 
 /// Runs `scene` with a contact solver of the caller's choice instead of the scene's, and reports to `progress`.
@@ -243,9 +263,10 @@ pub fn solver(choice: SolverChoice) -> Box<dyn InterfaceSolver> {
 /// # Errors
 /// [`RunError::Body`].
 pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
-    let operators = parallel::map(&model.bodies, |body| match &body.kind {
-        ModelBodyKind::Rigid(rigid) => Ok(Operator::Rigid(rigid.clone())),
-        ModelBodyKind::Elastic(elastic) => elastic
+    let operators = parallel::map(&model.bodies, |body| match (&body.kind, &body.series) {
+        (_, Some(series)) => Ok(Operator::Series(Arc::clone(series))),
+        (ModelBodyKind::Rigid(rigid), None) => Ok(Operator::Rigid(rigid.clone())),
+        (ModelBodyKind::Elastic(elastic), None) => elastic
             .condense(&body.interface)
             .map(|condensed| Operator::Elastic(Arc::new(condensed)))
             .map_err(|cause| RunError::Body {
@@ -311,7 +332,7 @@ pub fn results_without_audit(
 /// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
 pub fn displacements_of(model: &Model, solved: &Solved, index: usize) -> Vec<Vec<f64>> {
     let recovered = fields::recover_some(model, solved, &[index]);
-    let own = |step: &fields::Recovered| fields::moved(&solved.operators, step, index);
+    let own = |step: &fields::Recovered| fields::moved(model, &solved.operators, step, index);
     recovered.iter().map(own).collect()
 }
 
@@ -346,6 +367,7 @@ fn reported(
         steps,
         failure: Vec::new(),
         phases: Vec::new(),
+        ladder: None,
     };
     let scale = LoadScale::of(&results);
     for (step, unloading) in results.steps.iter_mut().zip(scale.unloading()) {
@@ -354,9 +376,9 @@ fn reported(
     let with_fields = steps_with_fields(request.fields, &results);
     results.failure = failure::all(model, solver, &recovered, &results, &with_fields)?;
     for index in with_fields {
-        fields::complete(&solved, &mut recovered[index], index);
+        fields::complete(model, &solved, &mut recovered[index], index);
         results.steps[index].fields =
-            fields::with_stresses(model, &solved.operators, &recovered[index])?;
+            fields::with_stresses(model, &solved, &recovered[index], index)?;
     }
     solved
         .phases
@@ -472,10 +494,11 @@ fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
     bodies
         .map(|(body, operator)| {
             let elastic = operator.elastic();
+            let unknowns = operator.series().map_or(0, SeriesBody::unknowns);
             BodySummary {
                 name: body.name.clone(),
-                mesh: elastic.map(|condensed| condensed.body().mesh().clone()),
-                dofs: elastic.map_or(0, |condensed| condensed.structure().unknowns()),
+                mesh: body.elastic().map(|own| own.mesh().clone()),
+                dofs: elastic.map_or(unknowns, |condensed| condensed.structure().unknowns()),
                 factor_entries: elastic
                     .map_or(0, |condensed| condensed.structure().factor_entries()),
                 free_motions: operator.interface().modes().ncols(),

@@ -3,6 +3,7 @@
 //! Reading stops at the first entry that it does not understand. Here every entry has been understood, so all
 //! problems are collected and shown at once.
 
+mod accuracy;
 mod bodies;
 mod contacts;
 mod declared;
@@ -54,8 +55,10 @@ pub(super) fn build(
     let plies = builder.plies(&format);
     let materials = builder.materials(&format, &plies, analysis.plane);
     builder.bodies(&format, &materials);
+    let is_divided = format.mesh.is_some();
     let mesh = builder.mesh(&mut format);
     builder.body_meshes(&format, &mesh);
+    builder.models(&format);
     let contacts = builder.contacts(&mut format, &materials);
     let supports = builder.supports(&format);
     let platens = builder.platens(&format, &contacts);
@@ -104,6 +107,7 @@ pub(super) fn build(
         materials,
         bodies,
         mesh,
+        is_divided,
         contacts,
         supports,
         platens,
@@ -269,6 +273,7 @@ impl Builder<'_> {
                 "set analysis.experimental = true, or leave the solver out",
             );
         }
+        self.demand(&analysis);
         analysis
     }
 

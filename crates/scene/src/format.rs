@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use stickslip_fem_core::mesh::ElementKind;
 
-use super::schema::{Analysis, Axis, DisplayUnits, GapKind, Output, ProjectionChoice};
+use super::schema::{Analysis, Axis, BodyModel, DisplayUnits, GapKind, Output, ProjectionChoice};
 use crate::shape::ShapeFormat;
 use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
@@ -44,7 +44,7 @@ pub(super) struct SceneFormat {
     #[serde(default)]
     pub(super) materials: BTreeMap<String, MaterialFormat>,
     pub(super) bodies: BTreeMap<String, BodyFormat>,
-    pub(super) mesh: MeshFormat,
+    pub(super) mesh: Option<MeshFormat>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) contacts: Vec<ContactFormat>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -135,11 +135,13 @@ pub(super) struct BodyFormat {
     pub(super) rigid: bool,
     pub(super) thickness: Option<Quantity<Length>>,
     pub(super) shape: ShapeFormat,
+    #[serde(default, skip_serializing_if = "BodyModel::is_auto")]
+    pub(super) model: BodyModel,
     pub(super) mesh: Option<MeshFormat>,
 }
 
 /// `[mesh]`, or what differs from it in `[bodies.NAME.mesh]`.
-#[derive(Debug, Clone, Deserialize, Serialize)]
+#[derive(Debug, Clone, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct MeshFormat {
     pub(super) element: Option<ElementKind>,

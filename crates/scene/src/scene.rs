@@ -34,6 +34,8 @@ pub struct Scene {
     pub bodies: BTreeMap<String, Body>,
     /// How finely the bodies are divided.
     pub mesh: MeshSettings,
+    /// Whether the scene itself says so, and not the program.
+    pub is_divided: bool,
     /// Pairs of edges that may touch.
     pub contacts: Vec<Contact>,
     /// Nodes with given displacements.
@@ -74,6 +76,30 @@ impl Scene {
     pub fn mesh_of(&self, body: &str) -> &MeshSettings {
         let own = self.bodies.get(body).and_then(|body| body.mesh.as_ref());
         own.unwrap_or(&self.mesh)
+    }
+
+    /// Whether the scene says how finely `body` is divided.
+    pub fn divides(&self, body: &str) -> bool {
+        let own = self
+            .bodies
+            .get(body)
+            .is_some_and(|body| body.mesh.is_some());
+        own || self.is_divided
+    }
+
+    /// Whether the scene says how finely any body is divided.
+    pub fn is_divided_anywhere(&self) -> bool {
+        self.bodies.keys().any(|name| self.divides(name))
+    }
+
+    /// Whether models are tried until their errors meet what is asked: with an accuracy, and without a mesh.
+    pub fn seeks_accuracy(&self) -> bool {
+        self.analysis.accuracy.is_some() || !self.is_divided_anywhere()
+    }
+
+    /// Whether the file or an override gives `key`, in full: "analysis.substeps".
+    pub fn is_given(&self, key: &str) -> bool {
+        self.document.get(key).is_some()
     }
 
     /// Number of load steps, at least 1.

@@ -5,6 +5,7 @@
 
 mod analysis;
 mod bearing;
+mod demand;
 mod failure;
 mod progressive;
 
@@ -14,12 +15,14 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_friction::FrictionLaw;
+use stickslip_text::short;
 
 pub use super::material::{LaminateSheet, Material, OutOfPlane};
 pub use crate::shape::Shape;
 use crate::units::Unit;
 pub use analysis::{Analysis, KinematicsChoice, ModelChoice, Ramp, SolverChoice};
 pub use bearing::BearingLaw;
+pub use demand::{Accuracy, Budget};
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
 pub use progressive::{Control, Progressive, ProgressiveModel};
 
@@ -41,6 +44,8 @@ pub struct Body {
     pub substance: Substance,
     /// Its outline.
     pub shape: Shape,
+    /// How its compliance is found.
+    pub model: BodyModel,
     /// How finely it is divided where it differs from [`Scene::mesh`](super::Scene::mesh); whole, with what it takes from there.
     pub mesh: Option<MeshSettings>,
 }
@@ -57,6 +62,30 @@ pub enum Substance {
     },
     /// Nothing in it deforms.
     Rigid,
+}
+
+/// How the compliance of an elastic body is found.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BodyModel {
+    /// By series where the scene gives no mesh and a series can hold the body, otherwise by finite elements.
+    #[default]
+    Auto,
+    /// By series about the circle of its contact, without a factorisation.
+    Series,
+    /// By condensed finite elements.
+    Elements,
+}
+
+impl BodyModel {
+    /// Whether it is left to the program.
+    #[expect(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "serde hands over references"
+    )]
+    pub(crate) fn is_auto(&self) -> bool {
+        *self == Self::Auto
+    }
 }
 
 /// A set of a body, written `body.set`.
@@ -86,6 +115,21 @@ pub struct MeshSettings {
 }
 
 impl MeshSettings {
+    /// The settings with corner nodes twice as close.
+    #[must_use]
+    pub fn finer(&self) -> Self {
+        let Self {
+            element,
+            division,
+            layers,
+        } = self;
+        Self {
+            element: *element,
+            division: division.finer(),
+            layers: layers.map(|layers| 2 * layers),
+        }
+    }
+
     /// The settings with corner nodes twice as far apart.
     #[must_use]
     pub fn coarser(&self) -> Self {
@@ -113,7 +157,33 @@ pub enum Division {
     Linear(Grading),
 }
 
+impl fmt::Display for Division {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AngleList(angles) => write!(formatter, "{} angles", angles.len()),
+            Self::Angular(grading) => {
+                let degrees = grading.spacing.to_degrees();
+                write!(formatter, "spacing {} deg", short(degrees))
+            }
+            Self::Linear(grading) => write!(formatter, "spacing {} mm", short(grading.spacing)),
+        }
+    }
+}
+
 impl Division {
+    fn finer(&self) -> Self {
+        match self {
+            Self::AngleList(angles) => {
+                let between = angles
+                    .windows(2)
+                    .flat_map(|pair| [pair[0], f64::midpoint(pair[0], pair[1])]);
+                Self::AngleList(between.chain(angles.last().copied()).collect())
+            }
+            Self::Angular(grading) => Self::Angular(grading.scaled(0.5)),
+            Self::Linear(grading) => Self::Linear(grading.scaled(0.5)),
+        }
+    }
+
     fn coarser(&self) -> Self {
         match self {
             Self::AngleList(angles) => {
@@ -122,8 +192,8 @@ impl Division {
                 let kept = kept.filter(|(k, _)| k % 2 == 0 || *k == last);
                 Self::AngleList(kept.map(|(_, angle)| *angle).collect())
             }
-            Self::Angular(grading) => Self::Angular(grading.coarser()),
-            Self::Linear(grading) => Self::Linear(grading.coarser()),
+            Self::Angular(grading) => Self::Angular(grading.scaled(2.0)),
+            Self::Linear(grading) => Self::Linear(grading.scaled(2.0)),
         }
     }
 }
@@ -140,16 +210,17 @@ pub struct Grading {
 }
 
 impl Grading {
-    fn coarser(self) -> Self {
+    /// Spacings times `factor`.
+    fn scaled(self, factor: f64) -> Self {
         let Self {
             spacing,
             fine_to,
             coarse_spacing,
         } = self;
         Self {
-            spacing: 2.0 * spacing,
+            spacing: factor * spacing,
             fine_to,
-            coarse_spacing: coarse_spacing.map(|spacing| 2.0 * spacing),
+            coarse_spacing: coarse_spacing.map(|spacing| factor * spacing),
         }
     }
 }

@@ -70,7 +70,34 @@ fn stresses(criterion: &mut Criterion) {
     criterion.bench_function("hoop stress at a point of the edge, 61 nodes", |bencher| {
         bencher.iter(|| field.edge(black_box(1.234)));
     });
+    for ratio in [1.01, 1.1, 2.0] {
+        let place = [0.0, ratio * CIRCLE.radius];
+        let name = format!("stress and displacement at {ratio} radii, 61 nodes");
+        criterion.bench_function(&name, |bencher| {
+            bencher.iter(|| field.at(black_box(place)));
+        });
+    }
 }
 
-criterion_group!(benches, operators, stresses);
+/// Stresses of 14 states at all nodes.
+fn edges(criterion: &mut Criterion) {
+    for count in [61, 241, 961] {
+        let nodes = Nodes::uniform_half(count).expect("nodes");
+        let forces = vec![1.0; 2 * count];
+        let state = BodyLoad {
+            forces: &forces,
+            multipliers: &[1.0],
+            motions: &[0.0],
+        };
+        let plate = plate(nodes.clone());
+        criterion.bench_function(
+            &format!("edge stresses, 14 states, {count} nodes"),
+            |bencher| {
+                bencher.iter(|| plate.edge_stresses(black_box(&[state; 14]), nodes.angles()));
+            },
+        );
+    }
+}
+
+criterion_group!(benches, operators, stresses, edges);
 criterion_main!(benches);

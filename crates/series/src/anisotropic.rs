@@ -166,7 +166,7 @@ impl EdgeStress {
         let direction = C64::new(cos, sin);
         let traction = self.hats.at(theta) * direction.conj();
         let [xx, yy, xy] = self.strain();
-        let [mx, my] = self.matrix.apply(self.moving(direction));
+        let [mx, my] = self.matrix.apply(self.moving(theta, direction));
         let slope = [
             2.0 * mx.re - xx * sin + 0.5 * xy * cos,
             2.0 * my.re - 0.5 * xy * sin + yy * cos,
@@ -196,9 +196,8 @@ impl EdgeStress {
     }
 
     /// The modes e^{−inθ} of the stresses on the circle along x and y, less those that the far stress would have there.
-    fn moving(&self, direction: C64) -> [C64; 2] {
-        let [_, negative, _] = self.hats.negative(direction.conj());
-        let [_, positive, _] = self.hats.positive(direction);
+    fn moving(&self, theta: f64, direction: C64) -> [C64; 2] {
+        let [positive, negative] = self.hats.on_edge(theta, C64::new(1.0, 0.0));
         let [xx, yy, xy] = self.far;
         let far = [(xx, xy), (xy, yy)].map(|(x, y)| C64::new(0.5 * x, 0.5 * y) * direction.conj());
         let x = 0.5 * (negative + positive.conj());

@@ -4,10 +4,13 @@
 //! h_{n+1,n} q_{n+1}(ζ) = ζ/s q_n(ζ) − Σ_{j ≤ n} h_jn q_j(ζ),     ⟨q_i, q_j⟩ = (1/m) Σ conj q_i q_j = δ_ij
 //! ```
 //!
-//! Derivatives and Taylor coefficients at 0 follow by the same recurrence. On an outline that is symmetric about x the points of its half are enough:
+//! Derivatives and Taylor coefficients at 0 follow by the same recurrence, and so do the derivatives in terms of the polynomials themselves, q_n′ = Σ_k D_kn q_k.
+//! D is upper triangular, so antiderivatives are found by back substitution. On an outline that is symmetric about x the points of its half are enough:
 //! the real part of the product is that of the whole, and coefficients are real.
 //!
 //! Source: Brubeck, Nakatsukasa & Trefethen, SIAM Rev. 63 (2021) 405–415.
+
+use std::sync::OnceLock;
 
 use nalgebra::Complex;
 
@@ -20,6 +23,8 @@ pub(crate) struct Basis {
     first: f64,
     /// h_jn, j ≤ n + 1, of each n.
     recurrence: Vec<Vec<C64>>,
+    /// D_kn, k < n, of each n.
+    derivatives: OnceLock<Vec<Vec<C64>>>,
 }
 
 /// Values q_n and derivatives dq_n/dζ at some points, by n.
@@ -34,14 +39,10 @@ impl Basis {
     pub(crate) fn new(points: &[C64], degree: usize, symmetric: bool) -> (Self, Values) {
         let count = points.len() as f64;
         let product = |a: &[C64], b: &[C64]| {
-            let pairs = a.iter().zip(b);
             let sum: C64 = if symmetric {
-                pairs
-                    .map(|(a, b)| a.re * b.re + a.im * b.im)
-                    .sum::<f64>()
-                    .into()
+                real_product(a, b).into()
             } else {
-                pairs.map(|(a, b)| a.conj() * b).sum()
+                a.iter().zip(b).map(|(a, b)| a.conj() * b).sum()
             };
             sum / count
         };
@@ -50,6 +51,7 @@ impl Basis {
             scale,
             first: 1.0,
             recurrence: Vec::with_capacity(degree),
+            derivatives: OnceLock::new(),
         };
         let mut found = basis.start(points);
         for n in 0..degree {
@@ -94,6 +96,62 @@ impl Basis {
         found
     }
 
+    /// Values q_n at one point, by n.
+    pub(crate) fn values(&self, point: C64) -> Vec<C64> {
+        let mut found = Vec::with_capacity(self.recurrence.len() + 1);
+        found.push(C64::from(self.first));
+        let scaled = point / self.scale;
+        for (n, column) in self.recurrence.iter().enumerate() {
+            let next = scaled * found[n] - product(&column[..=n], &found);
+            found.push(next / column[n + 1].re);
+        }
+        found
+    }
+
+    /// D of the module's equation.
+    fn derivatives(&self) -> &[Vec<C64>] {
+        self.derivatives.get_or_init(|| {
+            let mut found: Vec<Vec<C64>> = vec![Vec::new()];
+            for (n, column) in self.recurrence.iter().enumerate() {
+                // h_{n+1,n} q_{n+1}′ = q_n/s + ζ/s q_n′ − Σ h_jn q_j′
+                let mut next = vec![C64::new(0.0, 0.0); n + 1];
+                next[n] = (1.0 / self.scale).into();
+                for (k, part) in found[n].iter().enumerate() {
+                    subtract(&mut next, -part, &self.recurrence[k]);
+                }
+                for (part, slope) in column[..=n].iter().zip(&found) {
+                    subtract(&mut next, *part, slope);
+                }
+                divide(&mut next, column[n + 1].re);
+                found.push(next);
+            }
+            found
+        })
+    }
+
+    /// Coefficients of the derivative of Σ `coefficients[n]` q_n.
+    pub(crate) fn derivative(&self, coefficients: &[C64]) -> Vec<C64> {
+        let mut found = vec![C64::new(0.0, 0.0); coefficients.len()];
+        for (amount, column) in coefficients.iter().zip(self.derivatives()) {
+            subtract(&mut found, -amount, column);
+        }
+        found
+    }
+
+    /// Coefficients of the antiderivative of Σ `coefficients[n]` q_n that is 0 at 0. The last coefficient, as many as there are polynomials, is ignored.
+    pub(crate) fn antiderivative(&self, coefficients: &[C64]) -> Vec<C64> {
+        let mut rest = coefficients.to_vec();
+        let mut found = vec![C64::new(0.0, 0.0); coefficients.len()];
+        for (n, column) in self.derivatives().iter().enumerate().skip(1).rev() {
+            found[n] = rest[n - 1] / column[n - 1];
+            subtract(&mut rest, found[n], column);
+        }
+        let at_centre = self.values(C64::new(0.0, 0.0));
+        let sum: C64 = found.iter().zip(&at_centre).map(|(c, q)| c * q).sum();
+        found[0] = -sum / self.first;
+        found
+    }
+
     /// Coefficients of ζ^j in q_n, j up to `order`, by n.
     pub(crate) fn taylor(&self, order: usize) -> Vec<Vec<C64>> {
         let zero = C64::new(0.0, 0.0);
@@ -129,6 +187,28 @@ impl Basis {
         let slope = both.map(|((z, q), dq)| (q + z * dq) / self.scale);
         [next.collect(), slope.collect()]
     }
+}
+
+/// Re Σ conj a b, in four sums that do not wait for each other.
+fn real_product(a: &[C64], b: &[C64]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (a, b) in a.chunks(4).zip(b.chunks(4)) {
+        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+            *sum += a.re * b.re + a.im * b.im;
+        }
+    }
+    sums[0] + sums[1] + (sums[2] + sums[3])
+}
+
+/// Σ parts_j values_j, in four sums that do not wait for each other.
+fn product(parts: &[C64], values: &[C64]) -> C64 {
+    let mut sums = [C64::new(0.0, 0.0); 4];
+    for (parts, values) in parts.chunks(4).zip(values.chunks(4)) {
+        for ((sum, part), value) in sums.iter_mut().zip(parts).zip(values) {
+            *sum += part * value;
+        }
+    }
+    sums[0] + sums[1] + (sums[2] + sums[3])
 }
 
 fn subtract(from: &mut [C64], part: C64, other: &[C64]) {

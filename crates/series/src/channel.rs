@@ -59,10 +59,13 @@ pub(crate) fn channels(nodes: &Nodes, orders: impl IntoIterator<Item = i64>) -> 
 /// V, 2n × c.
 pub(crate) fn hat_means(nodes: &Nodes, channels: &[Channel]) -> DMatrix<f64> {
     let mut means = DMatrix::zeros(2 * nodes.len(), channels.len());
-    let mut last = None;
+    let mut last: Option<(i64, Vec<Complex<f64>>)> = None;
     for (column, channel) in channels.iter().enumerate() {
         let of_order = match last.take() {
             Some((order, values)) if order == channel.order => values,
+            Some((order, values)) if order == -channel.order => {
+                values.iter().map(Complex::conj).collect()
+            }
             _ => nodes.mode_means(channel.order),
         };
         for (node, mean) in of_order.iter().enumerate() {

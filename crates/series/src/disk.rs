@@ -28,7 +28,7 @@ use stickslip_fem_core::mesh::Point;
 use crate::channel::{Unit, channels, hat_means, sides};
 use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
-use crate::field::{Body, Field, Ingredients, Inside, check};
+use crate::field::{Body, Edge, Field, Ingredients, Inside, PolarStress, check, forces};
 use crate::hole::check_load;
 use crate::nodes::Nodes;
 
@@ -210,7 +210,7 @@ impl Disk {
         };
         let hats = of.hats();
         let kappa = self.material.kappa;
-        let inside = Inside::new(&hats, matches!(self.anchor, Anchor::Centre { .. }));
+        let inside = Inside::new(&hats, self.nodes.is_mirrored(), self.is_centred());
         let (translation, turn) = inside.rigid(kappa, support(self.anchor, kappa));
         let unit = self.circle.radius / (2.0 * self.material.shear);
         // What a held disk does not have are translations.
@@ -227,6 +227,39 @@ impl Disk {
             }
         }
         Ok(Field::new(&of, hats, Body::Inside(inside), rigid))
+    }
+
+    fn is_centred(&self) -> bool {
+        matches!(self.anchor, Anchor::Centre { .. })
+    }
+
+    /// Stresses `[stress]` at the angles `angles` `[rad]` of the rim under each of `states`, as [`Field::edge`] of each field, by state and angle.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub fn edge_stresses(
+        &self,
+        states: &[BodyLoad<'_>],
+        angles: &[f64],
+    ) -> Result<Vec<Vec<PolarStress>>, SeriesError> {
+        let size = 2 * self.points.len();
+        let forces = forces(states, [size, self.loads.len(), self.modes.ncols()])?;
+        let edge = Edge {
+            nodes: &self.nodes,
+            circle: self.circle,
+            inside: true,
+            angles,
+        };
+        let loads = edge.loads(&forces);
+        let directions = edge.directions();
+        let mut further = DMatrix::zeros(angles.len(), states.len());
+        for (load, mut column) in loads.iter().zip(further.column_iter_mut()) {
+            let inside = load.inside(self.nodes.is_mirrored(), self.is_centred());
+            for (sum, direction) in column.iter_mut().zip(&directions) {
+                *sum = inside.low_sum_on_edge(*direction, self.material.kappa);
+            }
+        }
+        Ok(edge.stresses(&loads, &further))
     }
 
     /// The nodes.

@@ -5,22 +5,26 @@
 //! edge:  σ_rr + iσ_rθ from the hats,   σ_θθ = 4 Re φ′ − σ_rr
 //! ```
 //!
-//! Tractions on the circle are hats, whose potentials are polylogarithms of ζ: no series is cut off, so stresses near the edge and the hoop stress on it between nodes are
-//! exact for these tractions, to about 1e-13 of the largest one over the spacing in radians. At a node the hoop stress has a kink, of infinite slope (s ln s), as a piecewise linear
+//! Tractions on the circle are hats, whose potentials are polylogarithms of ζ, or away from the circle a series that is cut off below rounding: stresses near the edge and
+//! the hoop stress on it between nodes are exact for these tractions, to about 1e-13 of the largest one over the spacing in radians. At a node the hoop stress has a kink, of infinite slope (s ln s), as a piecewise linear
 //! traction has. At the end of an [`arc`](crate::Nodes::arc) where the traction jumps it is infinite.
 
+mod edges;
 mod hats;
 mod inside;
+mod kink;
+mod modes;
 mod outside;
 mod polylog;
 
-use nalgebra::{Complex, DVector};
+use nalgebra::{Complex, DMatrix, DVector};
 use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::mesh::Point;
 
 use crate::circle::{Circle, Kolosov};
 use crate::error::SeriesError;
 use crate::nodes::Nodes;
+pub(crate) use edges::Edge;
 pub(crate) use hats::Hats;
 pub(crate) use inside::Inside;
 pub(crate) use outside::{Outer, Outside};
@@ -31,7 +35,7 @@ type C64 = Complex<f64>;
 const ON_EDGE: f64 = 1e-12;
 
 /// Stress `[stress]` along the radius from the circle's centre and around it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PolarStress {
     /// σ_rr.
     pub radial: f64,
@@ -96,6 +100,11 @@ impl Ingredients<'_> {
 
 /// Stresses σ_rr + iσ_rθ on a circle, along x and y, by nodal forces `forces` (2n) times `sign`.
 pub(crate) fn hats(nodes: &Nodes, circle: Circle, forces: &[f64], sign: f64) -> Hats {
+    Hats::new(nodes, &values(nodes, circle, forces, sign))
+}
+
+/// The same at each knot.
+fn values(nodes: &Nodes, circle: Circle, forces: &[f64], sign: f64) -> Vec<C64> {
     let area = circle.radius * circle.thickness;
     let value = |node: usize| {
         let [x, y] = [forces[2 * node], forces[2 * node + 1]];
@@ -107,11 +116,13 @@ pub(crate) fn hats(nodes: &Nodes, circle: Circle, forces: &[f64], sign: f64) -> 
         };
         sign * whole / (area * nodes.knots()[node].weight)
     };
-    let knots = nodes.knots().iter().enumerate().map(|(k, knot)| {
-        let own = value(knot.node);
-        if k == knot.node { own } else { own.conj() }
-    });
-    Hats::new(nodes, &knots.collect::<Vec<_>>())
+    let knots = nodes.knots().iter().enumerate();
+    knots
+        .map(|(k, knot)| {
+            let own = value(knot.node);
+            if k == knot.node { own } else { own.conj() }
+        })
+        .collect()
 }
 
 impl Field {
@@ -130,14 +141,33 @@ impl Field {
 
     /// Stress `[stress]` at the angle `theta` `[rad]` of the circle: σ_rr and σ_rθ interpolated between nodes, σ_θθ exact for these.
     pub fn edge(&self, theta: f64) -> PolarStress {
-        let direction = C64::from_polar(1.0, theta);
-        let traction = self.hats.at(theta) * direction.conj();
-        let local = self.local(direction);
+        let traction = self.hats.at(theta) * C64::from_polar(1.0, -theta);
+        let kappa = self.material.kappa;
+        let sum = match &self.body {
+            Body::Outside(outside) => outside.sum_on_edge(&self.hats, theta, kappa),
+            Body::Inside(inside) => inside.sum_on_edge(&self.hats, theta, kappa),
+        };
         PolarStress {
             radial: traction.re,
-            hoop: 4.0 * local.phi.re + local.spread.0 - traction.re,
+            hoop: sum - traction.re,
             shear: traction.im,
         }
+    }
+
+    /// Stress `[stress]` and displacement `[length]` at `point` `[length]`, as [`stress`](Self::stress) and [`displacement`](Self::displacement), in
+    /// one evaluation.
+    ///
+    /// # Errors
+    /// [`SeriesError::OutsideBody`] for a point that the body does not have.
+    pub fn at(&self, point: Point) -> Result<(PolarStress, [f64; 2]), SeriesError> {
+        let zeta = self.inside(point)?;
+        let local = self.local(zeta);
+        let stress = if on_edge(zeta) {
+            self.edge(zeta.arg())
+        } else {
+            stress(zeta, &local)
+        };
+        Ok((stress, self.moved(zeta, &local)))
     }
 
     /// Stress `[stress]` at `point` `[length]`, on the circle as [`edge`](Self::edge); infinite at a disk's centre where a force acts there.
@@ -146,29 +176,10 @@ impl Field {
     /// [`SeriesError::OutsideBody`] for a point that the body does not have.
     pub fn stress(&self, point: Point) -> Result<PolarStress, SeriesError> {
         let zeta = self.inside(point)?;
-        if (zeta.norm() - 1.0).abs() < ON_EDGE {
-            return Ok(self.edge(zeta.arg()));
-        }
-        let Local {
-            phi,
-            slope,
-            psi,
-            spread,
-            ..
-        } = self.local(zeta);
-        let sum = 4.0 * phi.re + spread.0;
-        let difference = 2.0 * (zeta.conj() * slope + psi) + spread.1;
-        let length = zeta.norm();
-        let direction = if length > 0.0 {
-            zeta / length
+        Ok(if on_edge(zeta) {
+            self.edge(zeta.arg())
         } else {
-            1.0.into()
-        };
-        let turned = direction * direction * difference;
-        Ok(PolarStress {
-            radial: 0.5 * (sum - turned.re),
-            hoop: 0.5 * (sum + turned.re),
-            shear: 0.5 * turned.im,
+            stress(zeta, &self.local(zeta))
         })
     }
 
@@ -177,16 +188,16 @@ impl Field {
     /// # Errors
     /// [`SeriesError::OutsideBody`] for a point that the body does not have.
     pub fn displacement(&self, point: Point) -> Result<[f64; 2], SeriesError> {
-        let mut zeta = self.inside(point)?;
-        if (zeta.norm() - 1.0).abs() < ON_EDGE {
-            zeta /= zeta.norm();
-        }
-        let local = self.local(zeta);
+        let zeta = self.inside(point)?;
+        Ok(self.moved(zeta, &self.local(zeta)))
+    }
+
+    fn moved(&self, zeta: C64, local: &Local) -> [f64; 2] {
         let unit = self.circle.radius / (2.0 * self.material.shear);
         let own = (local.motion - zeta * local.phi.conj()) * unit;
         let turned = C64::new(0.0, self.turn * self.circle.radius) * zeta;
         let found = own + turned + self.translation;
-        Ok([found.re, found.im])
+        [found.re, found.im]
     }
 
     fn local(&self, zeta: C64) -> Local {
@@ -196,19 +207,42 @@ impl Field {
         }
     }
 
-    /// ζ of a point of the body.
+    /// ζ of a point of the body, of a point of the circle with the length 1.
     fn inside(&self, point: Point) -> Result<C64, SeriesError> {
         let centre = self.circle.centre;
         let zeta = C64::new(point[0] - centre[0], point[1] - centre[1]) / self.circle.radius;
+        let length = zeta.norm();
         let has = match &self.body {
-            Body::Outside(outside) => zeta.norm() >= 1.0 - ON_EDGE && outside.contains(zeta),
-            Body::Inside(_) => zeta.norm() <= 1.0 + ON_EDGE,
+            Body::Outside(outside) => length >= 1.0 - ON_EDGE && outside.contains(zeta),
+            Body::Inside(_) => length <= 1.0 + ON_EDGE,
         };
         if has {
-            Ok(zeta)
+            Ok(if on_edge(zeta) { zeta / length } else { zeta })
         } else {
             Err(SeriesError::OutsideBody { point })
         }
+    }
+}
+
+fn on_edge(zeta: C64) -> bool {
+    (zeta.norm() - 1.0).abs() < ON_EDGE
+}
+
+/// Stress of the potentials `local` at `zeta`.
+fn stress(zeta: C64, local: &Local) -> PolarStress {
+    let sum = 4.0 * local.phi.re + local.spread.0;
+    let difference = 2.0 * (zeta.conj() * local.slope + local.psi) + local.spread.1;
+    let length = zeta.norm();
+    let direction = if length > 0.0 {
+        zeta / length
+    } else {
+        1.0.into()
+    };
+    let turned = direction * direction * difference;
+    PolarStress {
+        radial: 0.5 * (sum - turned.re),
+        hoop: 0.5 * (sum + turned.re),
+        shear: 0.5 * turned.im,
     }
 }
 
@@ -229,6 +263,19 @@ pub(crate) fn check(state: &BodyLoad<'_>, expected: [usize; 3]) -> Result<(), Se
         }
     }
     Ok(())
+}
+
+/// The forces of checked states, 2n × states.
+pub(crate) fn forces(
+    states: &[BodyLoad<'_>],
+    expected: [usize; 3],
+) -> Result<DMatrix<f64>, SeriesError> {
+    let mut forces = DMatrix::zeros(expected[0], states.len());
+    for (state, mut column) in states.iter().zip(forces.column_iter_mut()) {
+        check(state, expected)?;
+        column.copy_from_slice(state.forces);
+    }
+    Ok(forces)
 }
 
 /// Amounts of the motions along x and y and of the turn; of a half model along x.

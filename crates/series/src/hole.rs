@@ -9,7 +9,7 @@ use stickslip_fem_core::mesh::Point;
 use crate::channel::{Channel, Unit, channels, hat_means};
 use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
-use crate::field::{Body, Field, Ingredients, Outside, check, motions};
+use crate::field::{Body, Edge, Field, Ingredients, Outside, PolarStress, check, forces, motions};
 use crate::nodes::Nodes;
 
 /// What acts on the plate far from the hole. In a half model it is that on the whole plate, and has no force along y, moment or shear.
@@ -179,6 +179,23 @@ impl Hole {
             forces: state.forces,
             inside: false,
         };
+        let [phi, psi] = self.far(state);
+        let mut outside = Outside {
+            even: [phi, psi],
+            ..Outside::default()
+        };
+        outside.add_mode(1, -2.0 * phi);
+        outside.add_mode(-1, psi.conj());
+        Ok(Field::new(
+            &of,
+            of.hats(),
+            Body::Outside(outside),
+            motions(state.motions),
+        ))
+    }
+
+    /// φ′ and ψ′ of the stress far away.
+    fn far(&self, state: &BodyLoad<'_>) -> [Complex<f64>; 2] {
         let mut stress = [0.0; 3];
         for (load, factor) in self.loads.iter().zip(state.multipliers) {
             for (sum, part) in stress.iter_mut().zip(load.stress) {
@@ -186,21 +203,38 @@ impl Hole {
             }
         }
         let [xx, yy, xy] = stress;
-        let (phi, psi) = (
+        [
             Complex::new(0.25 * (xx + yy), 0.0),
             Complex::new(0.5 * (yy - xx), xy),
-        );
-        let outside = Outside {
-            modes: vec![(1, -2.0 * phi), (-1, psi.conj())],
-            even: [phi, psi],
-            ..Outside::default()
+        ]
+    }
+
+    /// Stresses `[stress]` at the angles `angles` `[rad]` of the edge under each of `states`, as [`Field::edge`] of each field, by state and angle.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub fn edge_stresses(
+        &self,
+        states: &[BodyLoad<'_>],
+        angles: &[f64],
+    ) -> Result<Vec<Vec<PolarStress>>, SeriesError> {
+        let size = 2 * self.points.len();
+        let forces = forces(states, [size, self.loads.len(), self.modes.ncols()])?;
+        let edge = Edge {
+            nodes: &self.nodes,
+            circle: self.circle,
+            inside: false,
+            angles,
         };
-        Ok(Field::new(
-            &of,
-            of.hats(),
-            Body::Outside(outside),
-            motions(state.motions),
-        ))
+        let loads = edge.loads(&forces);
+        let directions = edge.directions();
+        let further = DMatrix::from_fn(angles.len(), states.len(), |place, state| {
+            let [phi, psi] = self.far(&states[state]);
+            let inverse = directions[place].conj();
+            let a = loads[state].mean / (1.0 + self.material.kappa);
+            4.0 * (phi + (a + psi.conj() * inverse) * inverse).re
+        });
+        Ok(edge.stresses(&loads, &further))
     }
 
     /// The nodes.

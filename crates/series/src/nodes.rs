@@ -150,6 +150,13 @@ impl Nodes {
             let before = all.len() - 1;
             elements.push(element([before, 0], [all[before], TAU]));
         }
+        // Angles near a turn have fewer digits than those near 0: an image is as long as its own element.
+        for index in last..elements.len() {
+            let [a, b] = elements[index].knots.map(|knot| knots[knot].node);
+            if a.abs_diff(b) == 1 {
+                elements[index].length = elements[a.min(b)].length;
+            }
+        }
         Ok(Self::of(angles, true, knots, elements, at_start && at_end))
     }
 
@@ -271,6 +278,17 @@ impl Nodes {
 
     pub(crate) fn elements(&self) -> &[Element] {
         &self.elements
+    }
+
+    /// Knots where hats begin, 1, or end, −1, instead of going on.
+    pub(crate) fn ends(&self) -> Vec<(usize, f64)> {
+        let mut signs = vec![0.0; self.knots.len()];
+        for element in &self.elements {
+            signs[element.knots[0]] += 1.0;
+            signs[element.knots[1]] -= 1.0;
+        }
+        let all = signs.into_iter().enumerate();
+        all.filter(|(_, sign)| *sign != 0.0).collect()
     }
 
     pub(crate) fn step(&self) -> Option<f64> {

@@ -27,21 +27,21 @@ use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
-use crate::channel::{Channel, Unit, hat_means, sides};
+use crate::channel::{Unit, hat_means, sides};
 use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
-use crate::field::{Body, Field, Ingredients, Outside, check, combined};
+use crate::field::{Body, Edge, Field, Ingredients, Outside, PolarStress, check, combined, forces};
 use crate::nodes::Nodes;
 use crate::outline::{Outline, Surrounding};
-use fit::{OuterFit, Task};
+use fit::{OuterFit, Task, channels};
 use hold::Hold;
 pub use loads::EdgeLoad;
 use loads::actions;
 
 /// Largest number of the hole's modes.
 const LARGEST_ORDER: i64 = 400;
-/// Degrees of the polynomials that are tried, each until the residual is small enough.
-const DEGREES: [usize; 8] = [20, 30, 42, 58, 80, 110, 150, 200];
+/// Factor between the degrees of the polynomials that are tried.
+const STEP: f64 = 1.3;
 /// Residual from which on a fit means nothing.
 const USELESS: f64 = 0.1;
 
@@ -102,7 +102,7 @@ pub struct Plate {
     circle: Circle,
     material: Kolosov,
     surrounding: Surrounding,
-    fits: Vec<OuterFit>,
+    fits: Vec<Part>,
     /// Even tractions on the hole that balance forces.
     hold: Hold,
     /// Nodal forces that balance each load case.
@@ -113,6 +113,14 @@ pub struct Plate {
     compliance: DMatrix<f64>,
     responses: Vec<Option<DVector<f64>>>,
     mode_loads: Vec<DVector<f64>>,
+}
+
+/// The fit for some of the units of coefficients.
+#[derive(Clone, Debug)]
+struct Part {
+    fit: OuterFit,
+    /// V of its channels.
+    means: DMatrix<f64>,
 }
 
 impl Plate {
@@ -144,35 +152,32 @@ impl Plate {
         let balance = hold.balance(&mode_loads);
         let orders = orders(&surrounding, circle, accuracy.tolerance)?;
         let to_traction = sides(&nodes) / (2.0 * PI * circle.radius * circle.thickness);
-        let reactions = |channels: &[Channel]| {
-            hat_means(&nodes, channels).transpose() * &balance * -to_traction
-        };
-        let fit = |units| {
+        let part = |units| {
+            let channels = channels(units, orders);
+            let means = hat_means(&nodes, &channels);
             let task = Task {
                 surrounding: &surrounding,
                 units,
                 orders,
+                channels: &channels,
                 kappa: material.kappa,
                 tractions: &actions.tractions,
-                reactions: &reactions,
+                reactions: &(means.tr_mul(&balance) * -to_traction),
             };
-            fitted(&task, accuracy)
+            let fit = fitted(&task, accuracy)?;
+            Ok(Part { fit, means })
         };
         let fits = unit_sets(&nodes, &surrounding)
             .into_iter()
-            .map(fit)
-            .collect::<Result<Vec<OuterFit>, SeriesError>>()?;
+            .map(part)
+            .collect::<Result<Vec<Part>, SeriesError>>()?;
         let surface = Surface::new(material, Side::Outside);
         let mut compliance = compliance(&nodes, surface, circle.thickness);
         let mut responses = &compliance * &balance;
         let unit = circle.radius / (2.0 * material.shear);
-        add_outer(
-            &nodes,
-            &fits,
-            [unit, to_traction],
-            &mut compliance,
-            &mut responses,
-        );
+        for part in &fits {
+            part.add_motion([unit, to_traction], &mut compliance, &mut responses);
+        }
         let by_loads = hold.measure(&mut responses);
         let by_forces = hold.measure(&mut compliance);
         Ok(Self {
@@ -193,12 +198,13 @@ impl Plate {
 
     /// What the fit of the outer edge took and left; of an outline that is symmetric while the nodes are whole, the sums and the largest of both parts.
     pub fn fit(&self) -> Fit {
+        let fits = || self.fits.iter().map(|part| &part.fit);
         let orders = |fit: &OuterFit| fit.channels.iter().map(|channel| channel.order).max();
         Fit {
-            columns: self.fits.iter().map(OuterFit::columns).sum(),
-            points: self.fits.iter().map(|fit| fit.points).sum(),
-            orders: self.fits.iter().filter_map(orders).max().unwrap_or(0) as usize,
-            residual: self.fits.iter().map(|fit| fit.residual).fold(0.0, f64::max),
+            columns: fits().map(OuterFit::columns).sum(),
+            points: fits().map(|fit| fit.points).sum(),
+            orders: fits().filter_map(orders).max().unwrap_or(0) as usize,
+            residual: fits().map(|fit| fit.residual).fold(0.0, f64::max),
         }
     }
 
@@ -231,13 +237,54 @@ impl Plate {
             outline: Some(self.surrounding.clone()),
             ..Outside::default()
         };
-        for fit in &self.fits {
-            let means = hat_means(&self.nodes, &fit.channels);
-            let tractions = means.tr_mul(&balanced) * -self.to_traction();
-            let amounts = &fit.by_channels * tractions + &fit.by_loads * &multipliers;
-            fit.add_to(&mut outside, &amounts);
+        for part in &self.fits {
+            let tractions = part.means.tr_mul(&balanced) * -self.to_traction();
+            let amounts = &part.fit.by_channels * tractions + &part.fit.by_loads * &multipliers;
+            part.fit.add_to(&mut outside, &amounts);
         }
         Ok(Field::new(&of, of.hats(), Body::Outside(outside), rigid))
+    }
+
+    /// Stresses `[stress]` at the angles `angles` `[rad]` of the hole's edge under each of `states`, as [`Field::edge`] of each [`field`](Self::field), by
+    /// state and angle. For many states and angles this is much faster than fields.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub fn edge_stresses(
+        &self,
+        states: &[BodyLoad<'_>],
+        angles: &[f64],
+    ) -> Result<Vec<Vec<PolarStress>>, SeriesError> {
+        let (hold, cases) = (&self.hold, self.responses.len());
+        let size = 2 * self.points.len();
+        let mut balanced = forces(states, [size, cases, hold.motions.ncols()])?;
+        let resultants = hold.motions.tr_mul(&balanced);
+        balanced.gemm(-1.0, &hold.forces, &resultants, 1.0);
+        let multipliers = DMatrix::from_fn(cases, states.len(), |case, state| {
+            states[state].multipliers[case]
+        });
+        let mut all = balanced.clone();
+        for (case, balance) in self.balance.iter().enumerate() {
+            all.ger(1.0, balance, &multipliers.row(case).transpose(), 1.0);
+        }
+        let edge = Edge {
+            nodes: &self.nodes,
+            circle: self.circle,
+            inside: false,
+            angles,
+        };
+        let loads = edge.loads(&all);
+        let directions = edge.directions();
+        let mut further = DMatrix::from_fn(angles.len(), states.len(), |place, state| {
+            let a = loads[state].mean / (1.0 + self.material.kappa);
+            4.0 * (a * directions[place].conj()).re
+        });
+        for part in &self.fits {
+            let tractions = part.means.tr_mul(&balanced) * -self.to_traction();
+            let amounts = &part.fit.by_channels * tractions + &part.fit.by_loads * &multipliers;
+            further += part.fit.sums_on_edge(&directions, &amounts);
+        }
+        Ok(edge.stresses(&loads, &further))
     }
 
     /// Traction in a channel by nodal forces, the factor s/2πRt.
@@ -261,20 +308,21 @@ fn columns(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
     columns.map(|k| matrix.column(k).into_owned()).collect()
 }
 
-/// Adds to compliance and load cases the motion of the nodes that the outer edge causes. The two units are R/2G and the factor from nodal forces to tractions.
-fn add_outer(
-    nodes: &Nodes,
-    fits: &[OuterFit],
-    [unit, to_traction]: [f64; 2],
-    compliance: &mut DMatrix<f64>,
-    responses: &mut DMatrix<f64>,
-) {
-    for fit in fits {
-        let means = hat_means(nodes, &fit.channels);
-        let motions = &means * &fit.displacements * unit;
-        let by_tractions = &fit.by_channels * means.transpose() * -to_traction;
-        compliance.gemm(1.0, &motions, &by_tractions, 1.0);
-        responses.gemm(1.0, &motions, &fit.by_loads, 1.0);
+impl Part {
+    /// Adds to compliance and load cases the motion of the nodes that the outer edge causes. The two units are R/2G and the factor from nodal forces to
+    /// tractions.
+    fn add_motion(
+        &self,
+        [unit, to_traction]: [f64; 2],
+        compliance: &mut DMatrix<f64>,
+        responses: &mut DMatrix<f64>,
+    ) {
+        let Self { fit, means } = self;
+        let by_channels = &fit.displacements * &fit.by_channels;
+        let motions = means * by_channels;
+        compliance.gemm(-unit * to_traction, &motions, &means.transpose(), 1.0);
+        let by_loads = &fit.displacements * &fit.by_loads;
+        responses.gemm(unit, means, &by_loads, 1.0);
     }
 }
 
@@ -304,28 +352,35 @@ fn orders(surrounding: &Surrounding, circle: Circle, tolerance: f64) -> Result<i
     Ok(needed as i64)
 }
 
+/// The degree that polynomials need for a residual of `tolerance`, within a tenth of what strips with 1 to 10 times their width and ligaments of half a radius and
+/// more took for 2e-3. d: distance of the outline, P: its length, in radii.
+///
+/// ```text
+/// 22 d/(d − 1) (P/8d)^0.7 (2e-3/tolerance)^¼
+/// ```
+fn predicted_degree(surrounding: &Surrounding, tolerance: f64) -> f64 {
+    let distance = surrounding.distance;
+    let length: f64 = surrounding.sides.iter().map(|side| side.length).sum();
+    let shape = distance / (distance - 1.0) * (length / (8.0 * distance)).powf(0.7);
+    22.0 * shape * (2e-3 / tolerance.clamp(1e-13, 1.0)).powf(0.25)
+}
+
+/// The fit of the degree that its outline needs; of higher ones while its residual is too large and becomes smaller.
 fn fitted(task: &Task<'_>, accuracy: Accuracy) -> Result<OuterFit, SeriesError> {
-    let smaller = DEGREES
-        .iter()
-        .copied()
-        .filter(|degree| *degree < accuracy.degree);
+    let mut degree = predicted_degree(task.surrounding, accuracy.tolerance);
     let mut best: Option<OuterFit> = None;
-    for degree in smaller.chain([accuracy.degree]) {
-        let next = OuterFit::new(task, degree);
-        let better = best
-            .as_ref()
-            .is_none_or(|best| next.residual < best.residual);
-        let stalled = !better;
-        if better {
+    loop {
+        let last = degree >= accuracy.degree as f64;
+        let next = OuterFit::new(task, (degree.ceil() as usize).min(accuracy.degree));
+        let before = best.as_ref().map_or(f64::INFINITY, |best| best.residual);
+        let residual = next.residual;
+        if residual < before || best.is_none() {
             best = Some(next);
         }
-        if stalled
-            || best
-                .as_ref()
-                .is_some_and(|best| best.residual <= accuracy.tolerance)
-        {
+        if last || residual <= accuracy.tolerance || residual >= before {
             break;
         }
+        degree *= STEP;
     }
     let residual = best.as_ref().map_or(f64::NAN, |best| best.residual);
     match best {

@@ -14,7 +14,7 @@ use stickslip::scene::{Format, Scene};
 
 const DOCUMENT: &str = include_str!("../../../docs/scene-format.md");
 
-/// A scene that leaves out whatever it may, so that any key can be set in it; `expansion`, `fine_to` and a laminate with a hole are
+/// A scene that leaves out whatever it may, so that any key can be set in it; `expansion`, `accuracy`, `fine_to` and a laminate with a hole are
 /// there for keys that need them.
 const BASE: &str = r#"
 version = 1
@@ -51,6 +51,8 @@ outline.strip = { half_width = "20 mm", left = "80 mm", right = "20 mm" }
 material = "aluminium"
 thickness = "1 mm"
 shape.disk = { radius = "5 mm" }
+[analysis]
+accuracy = "1 %"
 [mesh]
 spacing = "5 deg"
 fine_to = "100 deg"

@@ -14,6 +14,7 @@ mod oracle;
 mod otherwise;
 mod pairs;
 mod parts;
+mod peaks;
 mod proofs;
 mod random;
 mod recovery;

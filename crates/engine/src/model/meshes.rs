@@ -3,6 +3,8 @@
 mod angles;
 mod partners;
 
+pub(super) use angles::on_circles;
+
 use std::sync::Arc;
 
 use stickslip_fem_core::generate::{Extent, GenerateError};

@@ -1,6 +1,7 @@
 //! What a scene says of each body, contact and load: its names are resolved here, and become indices.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_scene::schema::{
@@ -10,9 +11,13 @@ use stickslip_scene::schema::{
 use stickslip_scene::shape::{Edge, Shape};
 use stickslip_scene::{Scene, placement};
 
+use crate::series::SeriesBody;
+
 /// A scene whose bodies and edges are known by index, bodies in the order of their names.
 pub(super) struct Plan<'a> {
     pub(super) analysis: Analysis,
+    /// Whether the scene gives a mesh, for all bodies or for one.
+    pub(super) is_divided: bool,
     pub(super) bodies: Vec<BodyPlan<'a>>,
     pub(super) contacts: Vec<ContactPlan<'a>>,
     pub(super) supports: Vec<Placed<'a, Support>>,
@@ -28,7 +33,9 @@ pub(super) struct BodyPlan<'a> {
     pub(super) shape: &'a Shape,
     /// What it is made of; `None` for a rigid body.
     pub(super) elastic: Option<Elastic<'a>>,
-    pub(super) mesh: &'a MeshSettings,
+    pub(super) mesh: MeshSettings,
+    /// Its operator where it is modelled by series.
+    pub(super) series: Option<Arc<SeriesBody>>,
     /// Where its centre stands `[mm]`.
     pub(super) centre: Point,
 }
@@ -82,6 +89,7 @@ impl<'a> Plan<'a> {
         let (supports, platens) = (scene.supports.iter(), scene.platens.iter());
         Self {
             analysis: scene.analysis,
+            is_divided: scene.is_divided_anywhere(),
             bodies: scene.bodies.keys().map(|name| names.body(name)).collect(),
             contacts: scene.contacts.iter().map(contact).collect(),
             supports: supports.map(|of| names.placed(&of.on, of)).collect(),
@@ -209,7 +217,8 @@ impl<'a> Names<'a> {
             name,
             shape: &body.shape,
             elastic,
-            mesh: self.scene.mesh_of(name),
+            mesh: self.scene.mesh_of(name).clone(),
+            series: None,
             centre: placement::centre(self.scene, name),
         }
     }

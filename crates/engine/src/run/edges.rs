@@ -5,14 +5,18 @@ use stickslip_contact::zones::{
     Zone, carries_friction, ends_of_contact, half_extent, mirrored, zones,
 };
 use stickslip_contact::{ContactState, Contacts, Status, StepRecord};
+use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
+
+use stickslip_series::PolarStress;
 
 use super::Solved;
 use super::bearing;
 use super::fields::Recovered;
 use super::reported::{Reported, clear_friction, clear_stresses, clear_sums, reported};
 use crate::model::{Model, ModelBodyKind, ModelEdge};
-use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, wrapped};
+use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, wrapped};
+use crate::series::{SeriesBody, SeriesError, stress_at};
 
 /// All edges, with their frames, and their results in every load step: one list of edges per step.
 pub(super) fn all(
@@ -24,20 +28,23 @@ pub(super) fn all(
     let reported = reported(solved.interface.contacts(), &solved.records);
     let mut steps: Vec<Vec<EdgeResults>> = vec![Vec::new(); reported.len()];
     for (index, edge) in model.edges.iter().enumerate() {
-        let mut rows = (0..reported.len())
-            .map(|step| {
-                let moved = &recovered[step].free_edges[index];
-                let reactions = &recovered[step].reactions[index];
-                rows(
-                    model,
-                    solved,
-                    &reported[step],
-                    (moved, reactions),
-                    step,
-                    edge,
-                )
-            })
-            .collect::<Result<Vec<_>, _>>()?;
+        let mut rows = match solved.operators[edge.geometry.body].series() {
+            Some(body) => series_rows(model, solved, &reported, edge, body),
+            None => (0..reported.len())
+                .map(|step| {
+                    let moved = &recovered[step].free_edges[index];
+                    let reactions = &recovered[step].reactions[index];
+                    rows(
+                        model,
+                        solved,
+                        &reported[step],
+                        (moved, reactions),
+                        step,
+                        edge,
+                    )
+                })
+                .collect::<Result<Vec<_>, _>>()?,
+        };
         clear_stresses(&mut rows);
         let mut results: Vec<EdgeResults> = rows
             .into_iter()
@@ -87,6 +94,71 @@ fn rows(
         &mut rows,
     )?;
     Ok(rows)
+}
+
+/// One row per node of an edge of a body by series in each load step: stresses are those of its potentials.
+fn series_rows(
+    model: &Model,
+    solved: &Solved,
+    reported: &[Reported],
+    edge: &ModelEdge,
+    body: &SeriesBody,
+) -> Vec<Vec<EdgeRow>> {
+    let further = |reported: &Reported| further_tractions(edge, &reported.state.multipliers, &[]);
+    let mut all: Vec<Vec<EdgeRow>> = reported
+        .iter()
+        .map(|reported| bare_rows(solved, reported, edge, &further(reported)))
+        .collect();
+    let records = &solved.records[..all.len()];
+    let forces: Vec<Vec<f64>> = records
+        .iter()
+        .map(|record| solved.forces_on_body(record, edge.geometry.body))
+        .collect();
+    let still = vec![0.0; body.interface().modes().ncols()];
+    let pairs = records.iter().zip(&forces);
+    let states: Vec<BodyLoad<'_>> = pairs
+        .map(|(record, forces)| BodyLoad {
+            forces,
+            multipliers: &record.state.multipliers,
+            motions: &still,
+        })
+        .collect();
+    // The numbers are those of the body's own operator.
+    let stresses = series_stresses(model, edge, body, &states).unwrap_or_default();
+    for (rows, stresses) in all.iter_mut().zip(stresses) {
+        for (row, [normal, tangential, shear]) in rows.iter_mut().zip(stresses) {
+            row.sigma_normal = normal;
+            row.sigma_tangential = tangential;
+            row.tau = shear;
+        }
+    }
+    all
+}
+
+/// Stresses normal to the edge, along it and shear, by state and node.
+fn series_stresses(
+    model: &Model,
+    edge: &ModelEdge,
+    body: &SeriesBody,
+    states: &[BodyLoad<'_>],
+) -> Result<Vec<Vec<[f64; 3]>>, SeriesError> {
+    let own = model.bodies[edge.geometry.body].elastic();
+    if let (EdgeKind::Line, Some(own)) = (edge.geometry.kind, own) {
+        let nodes = own.mesh().nodes();
+        let of_state = |state| {
+            let field = body.field(state)?;
+            let at = |&node: &usize| {
+                let [xx, yy, xy] = stress_at(&field, body, nodes[node]);
+                [yy, xx, xy]
+            };
+            Ok(edge.nodes.iter().map(at).collect())
+        };
+        return states.iter().map(of_state).collect();
+    }
+    let polar = |stress: &PolarStress| [stress.radial, stress.hoop, stress.shear];
+    let found = body.edge_stresses(states, &edge.geometry.parameter)?;
+    let rows = found.iter().map(|row| row.iter().map(polar).collect());
+    Ok(rows.collect())
 }
 
 /// Displacements of a contact edge's nodes that strain its first body: u = C λ + Σ m_k u_k, no sparse solve.
@@ -329,5 +401,6 @@ fn summarise(
         peak_hoop: None,
         hoop_at_bearing_point: None,
         friction_force: 0.0,
+        errors: Errors::default(),
     }
 }

@@ -4,11 +4,13 @@ use stickslip_contact::StepRecord;
 use stickslip_fem_core::CondensedBody;
 use stickslip_fem_core::body::{BodyBalance, BodyLoad};
 use stickslip_fem_core::material::Material;
+use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::stress::{ElasticField, StressError};
 
 use super::{Operator, Solved};
 use crate::model::Model;
 use crate::results::BodyFields;
+use crate::series::{SeriesBody, stress_at};
 
 /// Displacements of one body, in numbers, that are held at once while its balance is audited.
 const HELD: usize = 1 << 21;
@@ -116,6 +118,9 @@ fn pass(
         })
         .collect();
     for &index in wanted {
+        if let Some(body) = solved.operators.get(index).and_then(Operator::series) {
+            recover_series(model, solved, (index, body), audits, &mut all);
+        }
         let Some(body) = solved.operators.get(index).and_then(Operator::elastic) else {
             continue;
         };
@@ -150,13 +155,54 @@ fn pass(
     all
 }
 
+/// Recovers of a body by series what no field needs: its balance, displacements on edges without contact, and all where its failure is asked about.
+fn recover_series(
+    model: &Model,
+    solved: &Solved,
+    (index, body): (usize, &SeriesBody),
+    audits: bool,
+    all: &mut [Recovered],
+) {
+    for (record, step) in solved.records.iter().zip(all) {
+        let forces = solved.forces_on_body(record, index);
+        step.balance[index] = audits.then(|| body.balance(&forces, record));
+        step.dropped = true;
+        if model.is_asked_for_failure(index)
+            && let Some(own) = model.bodies[index].elastic()
+        {
+            step.displacement[index] = strained(body, record, &forces, own.mesh().nodes());
+        }
+    }
+}
+
+/// Displacements of a body by series at `places`, without its rigid motions, x and y of each in turn.
+fn strained(body: &SeriesBody, record: &StepRecord, forces: &[f64], places: &[Point]) -> Vec<f64> {
+    let still = vec![0.0; body.interface().modes().ncols()];
+    let state = BodyLoad {
+        forces,
+        multipliers: &record.state.multipliers,
+        motions: &still,
+    };
+    // The numbers are those of the body's own operator, and the places those of its mesh.
+    let Ok(field) = body.field(&state) else {
+        return Vec::new();
+    };
+    let at = |&place: &Point| field.displacement(place).unwrap_or_default();
+    places.iter().flat_map(at).collect()
+}
+
 /// Recovers again the displacements in load step `step` that were not kept.
-pub(super) fn complete(solved: &Solved, recovered: &mut Recovered, step: usize) {
+pub(super) fn complete(model: &Model, solved: &Solved, recovered: &mut Recovered, step: usize) {
     if !recovered.dropped {
         return;
     }
     let record = &solved.records[step..=step];
     for (index, operator) in solved.operators.iter().enumerate() {
+        if let (Some(body), Some(own)) = (operator.series(), model.bodies[index].elastic()) {
+            let forces = solved.forces_on_body(&record[0], index);
+            let places = own.mesh().nodes();
+            recovered.displacement[index] = strained(body, &record[0], &forces, places);
+        }
         let Some(body) = operator.elastic() else {
             continue;
         };
@@ -197,22 +243,54 @@ fn loads_on<'a>(records: &'a [StepRecord], forces: &'a [Vec<f64>]) -> Vec<BodyLo
 }
 
 /// Displacements of the elastic body `index` with its rigid motions, interleaved; empty where they were not recovered.
-pub(super) fn moved(operators: &[Operator], recovered: &Recovered, index: usize) -> Vec<f64> {
+pub(super) fn moved(
+    model: &Model,
+    operators: &[Operator],
+    recovered: &Recovered,
+    index: usize,
+) -> Vec<f64> {
     let mut displacement = recovered.displacement[index].clone();
-    if let Some(body) = operators[index].elastic() {
-        let rigid = body.rigid_displacements(&recovered.motions[index]);
-        let both = displacement.iter_mut().zip(rigid);
-        both.for_each(|(sum, part)| *sum += part);
-    }
+    let motions = &recovered.motions[index];
+    let rigid = match (&operators[index], model.bodies[index].elastic()) {
+        (Operator::Elastic(body), _) => body.rigid_displacements(motions),
+        (Operator::Series(body), Some(own)) => {
+            body.rigid_displacements(motions, own.mesh().nodes())
+        }
+        _ => Vec::new(),
+    };
+    let both = displacement.iter_mut().zip(rigid);
+    both.for_each(|(sum, part)| *sum += part);
     displacement
+}
+
+/// Stresses (xx, yy, xy) `[MPa]` of a body by series at `places`; zero where they have no bound, at the centre of a loaded disk.
+fn stresses(
+    body: &SeriesBody,
+    record: &StepRecord,
+    forces: &[f64],
+    places: &[Point],
+) -> Vec<[f64; 3]> {
+    let still = vec![0.0; body.interface().modes().ncols()];
+    let state = BodyLoad {
+        forces,
+        multipliers: &record.state.multipliers,
+        motions: &still,
+    };
+    let Ok(field) = body.field(&state) else {
+        return Vec::new();
+    };
+    let at = |&place: &Point| stress_at(&field, body, place);
+    places.iter().map(at).collect()
 }
 
 /// Fields of all bodies that were recovered, with stresses by patch recovery.
 pub(super) fn with_stresses(
     model: &Model,
-    operators: &[Operator],
+    solved: &Solved,
     recovered: &Recovered,
+    step: usize,
 ) -> Result<Vec<BodyFields>, StressError> {
+    let operators = &solved.operators;
     let mut fields = Vec::new();
     for (index, body) in model.bodies.iter().enumerate() {
         let (crate::model::ModelBodyKind::Elastic(elastic), false) =
@@ -221,6 +299,23 @@ pub(super) fn with_stresses(
             continue;
         };
         let materials: Vec<&dyn Material> = elastic.materials().iter().map(AsRef::as_ref).collect();
+        if let Some(series) = operators[index].series() {
+            let forces = solved.forces_on_body(&solved.records[step], index);
+            let stress = stresses(
+                series,
+                &solved.records[step],
+                &forces,
+                elastic.mesh().nodes(),
+            );
+            let across = |own: &[f64; 3]| materials[0].thickness_stress(*own, 0.0);
+            fields.push(BodyFields {
+                body: index,
+                thickness_stress: stress.iter().map(across).collect(),
+                stress,
+                displacement: moved(model, operators, recovered, index),
+            });
+            continue;
+        }
         let strain = elastic.initial_strain(&recovered.multipliers);
         let initial = (!strain.is_empty()).then_some(strain.as_slice());
         let strained = &recovered.displacement[index];
@@ -232,7 +327,7 @@ pub(super) fn with_stresses(
             stress: nodal.averaged(),
             thickness_stress: nodal
                 .averaged_of(|block, stress| materials[block].thickness_stress(stress, heating)),
-            displacement: moved(operators, recovered, index),
+            displacement: moved(model, operators, recovered, index),
         });
     }
     Ok(fields)
@@ -287,7 +382,7 @@ mod tests {
                 assert!(close(kept.as_flattened(), dropped.as_flattened()));
             }
             assert!(kept.imbalance() < 1e-10 && dropped.imbalance() < 1e-10);
-            complete(&solved, dropped, step);
+            complete(&model, &solved, dropped, step);
             for (kept, dropped) in kept.displacement.iter().zip(&dropped.displacement) {
                 assert!(!kept.is_empty() && close(kept, dropped));
             }

@@ -55,8 +55,7 @@ pub(super) fn page(
         tables::bodies(results),
         tables::phases(results),
     ];
-    let modelled = modelled
-        .into_iter()
+    let modelled = (tables::ladder(results).into_iter().chain(modelled))
         .fold(Section::new("How it was modelled"), Section::with);
     let signs = Section::new("Signs and names").with(tables::signs_table());
     page.sections.extend([modelled, signs, file_section(files)]);

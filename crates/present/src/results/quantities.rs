@@ -2,6 +2,7 @@
 //! what stands here, in this order.
 
 use serde::{Serialize, Serializer};
+use stickslip_engine::results::Stated;
 use stickslip_report::table::Columns;
 use stickslip_text::{decimals, short, significant, tidy};
 
@@ -19,6 +20,8 @@ pub(super) struct EdgeQuantity {
     heading: Option<fn(&EdgeView<'_>) -> String>,
     /// The number in base units.
     value: Value,
+    /// The number whose estimated error is its own.
+    stated: Option<Stated>,
 }
 
 /// What a number measures.
@@ -49,25 +52,29 @@ enum Edges {
 // The path of a method names one lifetime of a view, a closure takes all.
 #[allow(clippy::redundant_closure_for_method_calls)]
 static QUANTITIES: [EdgeQuantity; 15] = [
-    half("contact", |edge, step| edge.step(step).contact_half_extent),
-    half("stick", |edge, step| edge.step(step).stick_half_extent),
-    place("bearing", |edge, step| edge.step(step).bearing),
+    half("contact", |edge, step| edge.step(step).contact_half_extent).stated(Stated::ContactExtent),
+    half("stick", |edge, step| edge.step(step).stick_half_extent).stated(Stated::StickExtent),
+    place("bearing", |edge, step| edge.step(step).bearing).stated(Stated::Bearing),
     stress("peak_pressure", 5, |edge, step| {
         Some(edge.step(step).peak_pressure?.0)
     })
+    .stated(Stated::PeakPressure)
     .headed(|_| "max p".into()),
     ratio("peak_pressure_over_bearing", |edge, step| {
         Some(edge.step(step).peak_pressure?.0 / edge.bearing(step)?)
     })
+    .stated(Stated::PeakPressure)
     .headed(|_| "max p/σ_b".into()),
     place("peak_pressure", |edge, step| {
         Some(edge.geometry.seen(edge.step(step).peak_pressure?.1))
     })
+    .stated(Stated::PeakPressurePlace)
     .headed(at),
     stress("bearing_stress", 5, |edge, step| edge.bearing(step)).on(Edges::Bearing),
     stress("peak_hoop", 5, |edge, step| {
         Some(edge.step(step).peak_hoop?.0)
     })
+    .stated(Stated::PeakHoop)
     .on(Edges::All)
     .headed(|edge| format!("max {}", edge.stress_symbols()[1])),
     stress("peak_hoop_uncertainty", 2, |edge, step| {
@@ -78,23 +85,28 @@ static QUANTITIES: [EdgeQuantity; 15] = [
     place("peak_hoop", |edge, step| {
         Some(edge.geometry.seen(edge.step(step).peak_hoop?.1))
     })
+    .stated(Stated::PeakHoopPlace)
     .on(Edges::All)
     .headed(at),
     ratio("peak_hoop_over_bearing", |edge, step| {
         Some(edge.step(step).peak_hoop?.0 / edge.bearing(step)?)
     })
+    .stated(Stated::PeakHoop)
     .headed(|edge| format!("max {}/σ_b", edge.stress_symbols()[1])),
     stress("hoop_at_bearing_point", 5, |edge, step| {
         edge.step(step).hoop_at_bearing_point
     })
+    .stated(Stated::HoopAtBearing)
     .on(Edges::All),
     ratio("hoop_at_bearing_point_over_bearing", |edge, step| {
         Some(edge.step(step).hoop_at_bearing_point? / edge.bearing(step)?)
-    }),
-    force("friction_force", |edge, step| edge.friction_force(step)),
+    })
+    .stated(Stated::HoopAtBearing),
+    force("friction_force", |edge, step| edge.friction_force(step)).stated(Stated::FrictionForce),
     force("normal_force", |edge, step| {
         (edge.geometry.contact).then_some(edge.step(step).normal_force)
-    }),
+    })
+    .stated(Stated::NormalForce),
 ];
 
 /// The number of an edge in a step in base units.
@@ -130,9 +142,17 @@ pub(super) fn csv_columns<'a>(edge: EdgeView<'a>, prefix: &str) -> Columns<'a, u
     let quantities = QUANTITIES.iter().filter(here);
     quantities.fold(Columns::new(), |columns, own| {
         let name = format!("{prefix}{}", own.file_name(&edge));
-        columns.with(name, own.unit(&edge), move |step| {
+        let error = format!("{name}_error");
+        let columns = columns.with(name, own.unit(&edge), move |step| {
             own.shown(&edge, step).map_or(String::new(), number)
-        })
+        });
+        if own.stated.is_some() && edge.results().ladder.is_some() {
+            columns.with(error, own.unit(&edge), move |step| {
+                own.error(&edge, step).map_or(String::new(), number)
+            })
+        } else {
+            columns
+        }
     })
 }
 
@@ -145,7 +165,7 @@ pub(super) fn table_columns(edge: EdgeView<'_>, full: bool) -> Columns<'_, usize
         .filter_map(|own| Some((own, own.heading?)));
     headed.fold(Columns::new(), |columns, (own, heading)| {
         columns.with(heading(&edge), own.unit(&edge), move |step| {
-            own.cell(&edge, step)
+            own.cell_with_error(&edge, step)
         })
     })
 }
@@ -159,7 +179,14 @@ impl EdgeQuantity {
             edges: Edges::Contacts,
             heading: None,
             value,
+            stated: None,
         }
+    }
+
+    /// Shows the estimated error of `stated` beside the number.
+    const fn stated(mut self, stated: Stated) -> Self {
+        self.stated = Some(stated);
+        self
     }
 
     const fn on(mut self, edges: Edges) -> Self {
@@ -174,6 +201,10 @@ impl EdgeQuantity {
     }
 
     fn has_column(&self, edge: &EdgeView<'_>) -> bool {
+        // Beside an estimated error the change to the neighbouring node says less.
+        if self.name == "peak_hoop_uncertainty" && edge.results().ladder.is_some() {
+            return false;
+        }
         match self.edges {
             Edges::All => true,
             Edges::Contacts => edge.geometry.contact,
@@ -202,6 +233,27 @@ impl EdgeQuantity {
             Kind::Place | Kind::Half => edge.length(value),
             Kind::Ratio => value,
         })
+    }
+
+    /// Its estimated error in display units.
+    fn error(&self, edge: &EdgeView<'_>, step: usize) -> Option<f64> {
+        let error = edge.step(step).errors.get(self.stated?)?;
+        self.shown(edge, step)?;
+        Some(match self.kind {
+            Kind::Stress(_) => edge.stress(error),
+            Kind::Force => edge.units().force.from_base(error),
+            Kind::Place | Kind::Half => edge.length(error),
+            Kind::Ratio => error / edge.bearing(step)?,
+        })
+    }
+
+    /// The number in a table, with its estimated error.
+    fn cell_with_error(&self, edge: &EdgeView<'_>, step: usize) -> String {
+        let cell = self.cell(edge, step);
+        match self.error(edge, step) {
+            Some(error) => format!("{cell} ± {}", significant(error, 2)),
+            None => cell,
+        }
     }
 
     /// The number in a table.
@@ -244,18 +296,20 @@ enum Number {
 impl SummaryQuantities {
     pub(super) fn of(edge: &EdgeView<'_>, step: usize) -> Self {
         let here = |own: &&EdgeQuantity| own.edges != Edges::Bearing || edge.is_circle();
-        let entry = |own: &EdgeQuantity| {
-            let name = own.file_name(edge);
-            let value = own.shown(edge, step);
-            match (own.kind, value) {
-                (Kind::Place | Kind::Half, _) if edge.is_circle() => {
-                    (name + "_deg", Number::Plain(value.and_then(tidy)))
-                }
-                (Kind::Ratio, _) | (_, None) => (name, Number::Plain(value.and_then(tidy))),
-                (_, Some(value)) => (name, Number::Quantity(Quantity::new(value, own.unit(edge)))),
+        let entry = |own: &EdgeQuantity, name: String, value: Option<f64>| match (own.kind, value) {
+            (Kind::Place | Kind::Half, _) if edge.is_circle() => {
+                (name + "_deg", Number::Plain(value.and_then(tidy)))
             }
+            (Kind::Ratio, _) | (_, None) => (name, Number::Plain(value.and_then(tidy))),
+            (_, Some(value)) => (name, Number::Quantity(Quantity::new(value, own.unit(edge)))),
         };
-        Self(QUANTITIES.iter().filter(here).map(entry).collect())
+        let entries = |own: &EdgeQuantity| {
+            let name = own.file_name(edge);
+            let error = own.stated.filter(|_| edge.results().ladder.is_some());
+            let error = error.map(|_| entry(own, format!("{name}_error"), own.error(edge, step)));
+            std::iter::once(entry(own, name, own.shown(edge, step))).chain(error)
+        };
+        Self(QUANTITIES.iter().filter(here).flat_map(entries).collect())
     }
 }
 
@@ -285,6 +339,7 @@ mod tests {
             hoop_at_bearing_point: _,
             friction_force: _,
             normal_force: _,
+            errors: _,
         } = EdgeResults::default();
     }
 }

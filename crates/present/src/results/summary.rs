@@ -15,10 +15,13 @@ use super::quantity::Quantity;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};
 use keys::{
     Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
-    OwnEdgeStep, Program, SlipZone, SolverNotes, Step, Summary, Units, Vector, Zones,
+    OwnEdgeStep, Program, SlipZone, SolverNotes, Sought, Step, Summary, Tried, Units, Vector,
+    Zones,
 };
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BearingSource, EdgeKind, LoadValue, Results, StepNotes};
+use stickslip_engine::results::{
+    BearingSource, EdgeKind, Ladder, LadderEnd, LoadValue, Results, Rung, StepNotes,
+};
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_text::tidy;
 
@@ -58,6 +61,7 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
         dofs: results.bodies.iter().map(|body| body.dofs).sum(),
         factorisations: results.factorisations,
         wall_time_s,
+        accuracy: results.ladder.as_ref().map(sought),
         edge: EdgeView::main(results).map(|edge| edge.geometry.name.as_str()),
         edges: EdgeView::all(results).iter().map(edge).collect(),
         steps: steps(results),
@@ -65,6 +69,26 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
             .iter()
             .map(failure::summary::failure)
             .collect(),
+    }
+}
+
+fn sought(ladder: &Ladder) -> Sought {
+    let tried = |rung: &Rung| Tried {
+        model: rung.model.clone(),
+        increments: rung.increments,
+        error: rung.error.and_then(|(error, _)| tidy(error)),
+        of: rung.error.map(|(_, stated)| stated.describe()),
+        wall_time_s: microseconds(rung.seconds),
+    };
+    Sought {
+        asked: ladder.asked,
+        end: match ladder.end {
+            LadderEnd::Reached => "reached",
+            LadderEnd::Pinned => "pinned",
+            LadderEnd::Budget => "budget",
+            LadderEnd::Finest => "finest",
+        },
+        rungs: ladder.rungs.iter().map(tried).collect(),
     }
 }
 

@@ -18,7 +18,7 @@ use super::quantities::table_columns;
 use super::zones::{contact_reach, stick_ranges, zone_length};
 use fit::fitted;
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodySummary, Choice, Results};
+use stickslip_engine::results::{BodySummary, Choice, LadderEnd, Results, Rung, Stated};
 use stickslip_text::{decimals, short, significant};
 
 /// The load steps for a terminal of `width` columns.
@@ -34,6 +34,10 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
     }
     for edge in contacts {
         text += &fitted(contact_table(edge, one_load, Detail::Brief), width);
+    }
+    if let Some(ladder) = ladder(results) {
+        text.push('\n');
+        text += &fitted(ladder, width);
     }
     for view in FailureView::all(results) {
         text += "\n";
@@ -136,13 +140,21 @@ fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
         let digits = |value| along(edge, Some(value));
         format!("{} … {}", digits(start), digits(end))
     };
+    let with_error = move |step: usize, stated: Stated| {
+        let edge_step = edge.step(step);
+        let cell = half(stated.value(edge_step));
+        match edge_step.errors.get(stated) {
+            Some(error) => format!("{cell} ({})", significant(edge.length(error), 1)),
+            None => cell,
+        }
+    };
     columns = if lies_evenly(&edge) {
         columns
             .with("contact ±", unit, move |step| {
-                half(edge.step(step).contact_half_extent)
+                with_error(step, Stated::ContactExtent)
             })
             .with("stick ±", unit, move |step| {
-                half(edge.step(step).stick_half_extent)
+                with_error(step, Stated::StickExtent)
             })
     } else {
         columns
@@ -213,6 +225,39 @@ pub(super) fn choices(results: &Results) -> Table {
         ]
     };
     Table::headed(caption, "what | choice | reason").with_rows(results.choices.iter().map(row))
+}
+
+/// The models that were tried for an accuracy, with their errors; none where none was sought.
+pub(super) fn ladder(results: &Results) -> Option<Table> {
+    let ladder = results.ladder.as_ref()?;
+    let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
+    let asked = ladder.asked.map_or("no accuracy asked".into(), |asked| {
+        format!("{} asked, {}", percent(asked), end(ladder.end))
+    });
+    let row = |rung: &Rung| {
+        let (error, of) = rung.error.map_or(("–".into(), ""), |(error, stated)| {
+            (percent(error), stated.describe())
+        });
+        [
+            rung.model.clone(),
+            rung.increments.to_string(),
+            error,
+            of.to_owned(),
+            decimals(Some(1e3 * rung.seconds), 1),
+        ]
+    };
+    let headings = "model | increments | largest error | of | time [ms]";
+    let caption = format!("Models tried: {asked}");
+    Some(Table::headed(caption, headings).with_rows(ladder.rungs.iter().map(row)))
+}
+
+fn end(end: LadderEnd) -> &'static str {
+    match end {
+        LadderEnd::Reached => "reached",
+        LadderEnd::Pinned => "not reached: the scene pins the model",
+        LadderEnd::Budget => "not reached within the budget",
+        LadderEnd::Finest => "not reached by the finest model that is tried",
+    }
 }
 
 /// Size of each body's model.

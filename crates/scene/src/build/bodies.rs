@@ -152,6 +152,7 @@ impl Builder<'_> {
                 rigid,
                 thickness,
                 shape,
+                model,
                 mesh: _,
             } = body;
             let material = material.as_ref().filter(|_| !rigid);
@@ -160,6 +161,7 @@ impl Builder<'_> {
             let body = Body {
                 substance,
                 shape,
+                model: *model,
                 mesh: None,
             };
             self.bodies.insert(name.clone(), body);

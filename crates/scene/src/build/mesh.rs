@@ -28,7 +28,11 @@ impl Scope<'_> {
 
 impl Builder<'_> {
     pub(super) fn mesh(&mut self, format: &mut SceneFormat) -> MeshSettings {
-        format.mesh.element.get_or_insert(DEFAULT_ELEMENT);
+        let Some(given) = format.mesh.as_mut() else {
+            return self.undivided();
+        };
+        given.element.get_or_insert(DEFAULT_ELEMENT);
+        let given = given.clone();
         let divided = |name: &&String| {
             let own = format.bodies[*name].mesh.as_ref();
             !own.is_some_and(|own| own.spacing.is_some() || own.angles.is_some())
@@ -39,13 +43,44 @@ impl Builder<'_> {
             table: "mesh",
             bodies: &bodies,
         };
-        let settings = self.settings(&scope, &format.mesh, None);
+        let settings = self.settings(&scope, &given, None);
         self.unused("mesh", |_| true);
         settings
     }
 
+    /// Where the scene gives no mesh: the coarsest division that is tried.
+    fn undivided(&mut self) -> MeshSettings {
+        let elastic = self.bodies.values();
+        let elastic = elastic.filter(|body| body.substance != Substance::Rigid);
+        let (round, others): (Vec<Shape>, Vec<Shape>) = elastic
+            .map(|body| body.shape)
+            .partition(|shape| shape.is_round());
+        let least = |shape: &Shape| {
+            let [low, high] = shape.bounds();
+            (high[0] - low[0]).min(high[1] - low[1])
+        };
+        let grading = |spacing| Grading {
+            spacing,
+            fine_to: None,
+            coarse_spacing: None,
+        };
+        let extent = others.iter().map(least).reduce(f64::min);
+        if extent.is_some() && !round.is_empty() && !self.is_refused("mesh") {
+            self.missing("", "mesh");
+        }
+        let division = extent.map_or(Division::Angular(grading(TAU / 120.0)), |extent| {
+            Division::Linear(grading(extent / 32.0))
+        });
+        MeshSettings {
+            element: DEFAULT_ELEMENT,
+            division,
+            layers: None,
+        }
+    }
+
     /// The settings of bodies that have their own.
     pub(super) fn body_meshes(&mut self, format: &SceneFormat, whole: &MeshSettings) {
+        let whole_format = format.mesh.clone().unwrap_or_default();
         for (name, body) in &format.bodies {
             let Some(own) = &body.mesh else {
                 continue;
@@ -62,7 +97,7 @@ impl Builder<'_> {
                 table: &table,
                 bodies: &[name],
             };
-            let given = merged(own, &format.mesh);
+            let given = merged(own, &whole_format);
             let inherited = (!own.divides()).then(|| whole.division.clone());
             let settings = self.settings(&scope, &given, inherited);
             self.unused(&table, |other| other == name);

@@ -19,7 +19,7 @@ pub(super) const TABLES: &[Table] = &[
         tables_of("plies", NONE, "plies of laminates by name"),
         tables_of("materials", NONE, "elastic constants by name"),
         tables_of("bodies", REQUIRED, "bodies by name, at least one"),
-        table("mesh", REQUIRED, "how finely the bodies are divided"),
+        table("mesh", "chosen by the accuracy", "how finely the bodies are divided"),
         lists("contacts", NONE, "edges that may touch"),
         lists("supports", NONE, "given displacements"),
         lists("platens", NONE, "rigid plates glued to edges"),
@@ -55,6 +55,12 @@ pub(super) const TABLES: &[Table] = &[
         words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`"#, r#""quadratic""#,
             "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \
             contact spreads fastest; later steps are linear"),
+        words("accuracy", r#"percentage or number, 1e-8 to 0.5"#, "`\"1 %\"` without a mesh", r#""0.1 %""#,
+            "largest relative error that is asked for; bodies and steps are divided until the estimated errors are below it"),
+        words("budget", "time", "no limit", r#""10 s""#,
+            "time after which no finer model is tried; the result then states the error that it has; needs `accuracy`"),
+        integer("contact_nodes", "by the accuracy", "61",
+            "nodes on half of each contact circle of bodies by series; pins them").range(counts(9, 2049)),
     ]),
     Table::new("contacts", &[
         text("name", "name of the second body", r#""pin""#, "name in the results, a different one for each contact"),

@@ -3,8 +3,10 @@
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::material::PlaneState;
 
+use super::demand::{Accuracy, Budget};
+
 /// How the model is solved: `[analysis]`, whose keys its fields are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Analysis {
     /// Plane stress or plane strain.
@@ -26,6 +28,15 @@ pub struct Analysis {
     pub substeps: usize,
     /// How the load grows within the first step.
     pub ramp: Ramp,
+    /// Largest error that is asked for; [`Accuracy::DEFAULT`] where no mesh is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Accuracy>,
+    /// Time within which the accuracy is to be reached.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub budget: Option<Budget>,
+    /// Nodes on half of each contact circle of bodies by series.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_nodes: Option<usize>,
 }
 
 impl Default for Analysis {
@@ -38,6 +49,9 @@ impl Default for Analysis {
             experimental: false,
             substeps: 1,
             ramp: Ramp::Linear,
+            accuracy: None,
+            budget: None,
+            contact_nodes: None,
         }
     }
 }

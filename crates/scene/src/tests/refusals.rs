@@ -11,7 +11,7 @@ fn unknown_keys() {
     assert_eq!(message, "unknown key 'thicknes'");
     assert_eq!(
         help,
-        "did you mean 'thickness'? known keys here: material, rigid, thickness, shape, mesh"
+        "did you mean 'thickness'? known keys here: material, rigid, thickness, shape, model, mesh"
     );
     assert_eq!((line, shown.as_str()), (8, "thicknes"));
     let (message, _, line, _) = refused("[mesh]", "[mesh]\nquality = 3");
@@ -496,4 +496,60 @@ fn overrides_are_named_in_their_errors() {
             .starts_with("--set:1:1: 'dynamic' is missing in 'contacts.0.friction.static_dynamic'"),
         "{error}"
     );
+}
+
+#[test]
+fn accuracies_and_models_that_no_run_can_have() {
+    let analysis = |keys: &str| refused("[mesh]", &format!("[analysis]\n{keys}\n[mesh]"));
+    for (value, shown) in [
+        ("\"0 %\"", "\"0 %\""),
+        ("\"-1 %\"", "\"-1 %\""),
+        ("0.6", "0.6"),
+        ("1e-9", "1e-9"),
+    ] {
+        let (message, help, line, found) = analysis(&format!("accuracy = {value}"));
+        assert!(message.starts_with("accuracy = "), "{message}");
+        assert!((message + &help).contains("at least 1e-8 and at most 50 %"));
+        assert_eq!((line, found.as_str()), (17, shown));
+    }
+    let (message, ..) = analysis("accuracy = \"fine\"");
+    assert!(
+        message.contains("'fine' is not a relative error"),
+        "{message}"
+    );
+    let (message, help, ..) = analysis("budget = \"10 s\"");
+    assert!(message.contains("none is asked for"), "{message}");
+    assert!(help.contains("analysis.accuracy"), "{help}");
+    let (message, ..) = analysis("accuracy = \"1 %\"\nbudget = \"0 s\"");
+    assert!(message.starts_with("budget = "), "{message}");
+    let (message, ..) = analysis("accuracy = \"1 %\"\nbudget = 10");
+    assert!(message.contains("'10' is not a time"), "{message}");
+    let (message, ..) = analysis("contact_nodes = 3");
+    assert!(message.contains("contact_nodes"), "{message}");
+}
+
+#[test]
+fn a_mesh_that_nothing_uses() {
+    let series = |scene: &str| {
+        let scene = scene.replace(
+            "thickness = \"2 mm\"",
+            "thickness = \"2 mm\"\nmodel = \"series\"",
+        );
+        read(&scene)
+    };
+    let error = series(SCENE).unwrap_err().to_string();
+    assert!(error.contains("no body of the scene is divided"), "{error}");
+    let scene = series(&SCENE.replace("[mesh]\nspacing = \"2 deg\"\n", "")).unwrap();
+    assert!(!scene.is_divided && scene.seeks_accuracy());
+    let (message, help, ..) = refused(
+        "shape.disk = { radius = \"4.99 mm\" }",
+        "model = \"series\"\nshape.disk = { radius = \"4.99 mm\" }\nmesh.spacing = \"3 deg\"",
+    );
+    assert!(message.contains("bodies.pin.mesh"), "{message}");
+    assert!(help.contains("one of the two"), "{help}");
+    let (message, ..) = refused(
+        "[bodies.pin]\nmaterial = \"steel\"\nthickness = \"2 mm\"",
+        "[bodies.pin]\nrigid = true\nmodel = \"elements\"",
+    );
+    assert!(message.contains("this one is rigid"), "{message}");
 }

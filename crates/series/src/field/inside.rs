@@ -10,37 +10,38 @@ use nalgebra::Complex;
 
 use super::Local;
 use super::hats::Hats;
+use super::kink::{Kink, mode};
 
 type C64 = Complex<f64>;
-
-/// Modes that are kept for points near the centre, and how near: 0.5^54 is below rounding.
-const MODES: i64 = 54;
-const NEAR: f64 = 0.5;
 
 /// A disk's potentials beside its hats.
 #[derive(Clone, Debug)]
 pub(crate) struct Inside {
     /// Whether the net force is balanced at the centre.
     centred: bool,
-    /// t_K, K = −MODES to MODES.
-    modes: Vec<C64>,
+    /// t_0, t_1 and t_2.
+    modes: [C64; 3],
 }
 
 impl Inside {
-    pub(crate) fn new(hats: &Hats, centred: bool) -> Self {
-        Self {
-            centred,
-            modes: (-MODES..=MODES).map(|order| hats.mode(order)).collect(),
-        }
+    /// Those of hats, of symmetric ones if they are `mirrored`.
+    pub(crate) fn new(hats: &Hats, mirrored: bool, centred: bool) -> Self {
+        Self::of(hats.mean, &hats.kinks, mirrored, centred)
     }
 
-    pub(crate) fn mode(&self, order: i64) -> C64 {
-        self.modes[(order + MODES) as usize]
+    /// The same of a traction with the mean `t0` and kinks.
+    pub(super) fn of(t0: C64, kinks: &[Kink], mirrored: bool, centred: bool) -> Self {
+        let mut modes = [t0, mode(kinks, 1), mode(kinks, 2)];
+        if mirrored {
+            // A moment of rounding would show near the centre.
+            modes = modes.map(|t| t.re.into());
+        }
+        Self { centred, modes }
     }
 
     /// What is to be added to the motion of the potentials, so that displacements count as in the operator: translation in units of R/2G, and turn.
     pub(crate) fn rigid(&self, kappa: f64, [coupling, mean]: [f64; 2]) -> (C64, f64) {
-        let [t0, t1, t2] = [0, 1, 2].map(|order| self.mode(order));
+        let [t0, t1, t2] = self.modes;
         let spread = if self.centred {
             C64::new(0.0, 0.0)
         } else {
@@ -54,7 +55,7 @@ impl Inside {
     /// a.
     fn source(&self, kappa: f64) -> C64 {
         if self.centred {
-            self.mode(0) / (1.0 + kappa)
+            self.modes[0] / (1.0 + kappa)
         } else {
             C64::new(0.0, 0.0)
         }
@@ -62,22 +63,39 @@ impl Inside {
 
     /// α_1.
     fn linear(&self, kappa: f64) -> C64 {
-        let t0 = self.mode(0).conj();
-        let factor = if self.centred {
+        self.modes[2] - self.coupling(kappa) * self.modes[0].conj()
+    }
+
+    /// Part of conj t_0 that α_1 is less than t_2.
+    fn coupling(&self, kappa: f64) -> f64 {
+        if self.centred {
             2.0 / (1.0 + kappa)
         } else {
             1.0 / kappa
-        };
-        self.mode(2) - factor * t0
+        }
+    }
+
+    /// σ_rr + σ_θθ on the circle.
+    pub(super) fn sum_on_edge(&self, hats: &Hats, theta: f64, kappa: f64) -> f64 {
+        let direction = C64::from_polar(1.0, theta);
+        let [positive, _] = hats.on_edge(theta, direction.conj());
+        4.0 * positive.re + self.low_sum_on_edge(direction, kappa)
+    }
+
+    /// What t_0 and t_1 add to σ_rr + σ_θθ on the circle beside the sum over all positive modes.
+    pub(crate) fn low_sum_on_edge(&self, direction: C64, kappa: f64) -> f64 {
+        let [t0, t1, _] = self.modes;
+        let spread = if self.centred { 0.0 } else { 1.0 / kappa };
+        let of_force = self.source(kappa) + (spread - self.coupling(kappa)) * t0;
+        4.0 * (of_force * direction.conj()).re - 2.0 * t1.re
     }
 
     pub(super) fn at(&self, hats: &Hats, zeta: C64, kappa: f64) -> Local {
-        let mut local = if zeta.norm() < NEAR {
-            self.near(zeta, kappa)
-        } else {
-            self.far(hats, zeta, kappa)
+        let mut local = match hats.enough(zeta) {
+            Some(count) => near(hats, count, zeta, kappa),
+            None => self.far(hats, zeta, kappa),
         };
-        let (t0, t1) = (self.mode(0), self.mode(1));
+        let [t0, t1, _] = self.modes;
         let linear = self.linear(kappa);
         local.phi += 0.5 * t1.re + linear * zeta;
         local.slope += linear;
@@ -104,32 +122,12 @@ impl Inside {
         local
     }
 
-    /// The sums over m ≥ 2, by modes.
-    fn near(&self, zeta: C64, kappa: f64) -> Local {
-        let mut local = Local::default();
-        let [mut phi, mut psi] = [C64::new(0.0, 0.0); 2];
-        // ζ^{m−2}.
-        let mut power = C64::new(1.0, 0.0);
-        for order in 2..MODES {
-            let m = order as f64;
-            let (own, other) = (self.mode(1 + order), self.mode(1 - order).conj());
-            let beta = (1.0 - m) * own - other;
-            local.psi += beta * power;
-            psi += beta * power * zeta / (m - 1.0);
-            local.slope += m * own * power * zeta;
-            local.phi += own * power * zeta * zeta;
-            phi += own * power * zeta * zeta * zeta / (m + 1.0);
-            power *= zeta;
-        }
-        local.motion = kappa * phi - psi.conj();
-        local
-    }
-
     /// The sums over m ≥ 2, in closed form.
     fn far(&self, hats: &Hats, zeta: C64, kappa: f64) -> Local {
-        let (t1, t2) = (self.mode(1), self.mode(2));
-        let [rising, sum, falling] = hats.positive(zeta);
-        let [_, other, other_falling] = hats.negative(zeta.conj());
+        let [_, t1, t2] = self.modes;
+        let [positive, negative] = hats.sums(zeta);
+        let [rising, sum, falling] = positive;
+        let [_, other, other_falling] = negative;
         let square = zeta * zeta;
         let phi = falling - t1 * zeta - 0.5 * t2 * square;
         let psi = -(sum - t1 * zeta) / square + t2 - other_falling.conj();
@@ -141,6 +139,30 @@ impl Inside {
             spread: (0.0, C64::new(0.0, 0.0)),
         }
     }
+}
+
+/// The sums over m ≥ 2, by modes.
+fn near(hats: &Hats, count: usize, zeta: C64, kappa: f64) -> Local {
+    let mut local = Local::default();
+    let [mut phi, mut psi] = [C64::new(0.0, 0.0); 2];
+    // ζ^{m−2}.
+    let mut power = C64::new(1.0, 0.0);
+    let mut m = 2.0;
+    let pairs = || hats.modes(count + 3);
+    for ([own, _], [_, other]) in pairs().skip(2).zip(pairs()) {
+        let beta = (1.0 - m) * own - other.conj();
+        let raised = power * zeta;
+        let value = own * raised;
+        local.psi += beta * power;
+        psi += beta * raised / (m - 1.0);
+        local.slope += value * m;
+        local.phi += value * zeta;
+        phi += value * zeta * zeta / (m + 1.0);
+        power = raised;
+        m += 1.0;
+    }
+    local.motion = kappa * phi - psi.conj();
+    local
 }
 
 #[cfg(test)]
@@ -155,10 +177,10 @@ mod tests {
             .map(|k| C64::new(f64::from(k * k % 7) - 2.5, f64::from(k * k % 5)))
             .collect();
         let hats = Hats::new(&nodes, &values);
-        let inside = Inside::new(&hats, false);
+        let inside = Inside::new(&hats, false, false);
         for k in 0..12 {
             let zeta = C64::from_polar(0.49, 0.5 * f64::from(k));
-            let (near, far) = (inside.near(zeta, 2.0), inside.far(&hats, zeta, 2.0));
+            let (near, far) = (near(&hats, 54, zeta, 2.0), inside.far(&hats, zeta, 2.0));
             let differences = [
                 near.phi - far.phi,
                 near.slope - far.slope,

@@ -17,6 +17,7 @@
 mod terms;
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -32,7 +33,7 @@ type C64 = Complex<f64>;
 /// Outer part of a plate for states that have some of the two units.
 #[derive(Clone, Debug)]
 pub(crate) struct OuterFit {
-    pub(crate) basis: Basis,
+    basis: Arc<Basis>,
     terms: Vec<Term>,
     /// Modes of the hole that the fit knows.
     pub(crate) channels: Vec<Channel>,
@@ -56,11 +57,13 @@ pub(crate) struct Task<'a> {
     pub(crate) units: &'a [Unit],
     /// Largest |K| of the hole's modes.
     pub(crate) orders: i64,
+    /// These modes.
+    pub(crate) channels: &'a [Channel],
     pub(crate) kappa: f64,
     /// Tractions on each edge by load case `[stress]`, x + iy.
     pub(crate) tractions: &'a [Vec<C64>],
     /// Tractions t on the hole that balance each load case, by channels.
-    pub(crate) reactions: &'a dyn Fn(&[Channel]) -> DMatrix<f64>,
+    pub(crate) reactions: &'a DMatrix<f64>,
 }
 
 impl OuterFit {
@@ -71,36 +74,37 @@ impl OuterFit {
         let [fitted, checked] = task.surrounding.points(3 * unknowns / 2);
         let places =
             |points: &[EdgePoint]| -> Vec<C64> { points.iter().map(|p| p.place).collect() };
-        let (basis, values) = Basis::new(&places(&fitted), degree, halves);
+        // One polynomial more than terms, for their antiderivatives.
+        let (basis, values) = Basis::new(&places(&fitted), degree + 1, halves);
         let checks = basis.at(&places(&checked));
-        let channels = channels(task);
+        let channels = task.channels;
         let terms = terms(task, degree);
         let taylor = basis.taylor(task.orders as usize + 1);
         let series: Vec<[Vec<C64>; 2]> = terms
             .iter()
             .map(|&term| coefficients(term, &taylor))
             .collect();
-        let answers = answers(&channels, &series);
+        let answers = answers(channels, &series);
         let on_points = |points: &[EdgePoint], values: &Values| {
-            let hole = hole_tractions(points, &channels, task.kappa);
+            let hole = hole_tractions(points, channels, task.kappa);
             let mut columns = term_tractions(points, &terms, values);
             columns.gemm(1.0, &hole, &answers, 1.0);
-            let sides = sides(task, points, &hole, &channels);
+            let sides = sides(task, points, &hole);
             (columns, sides)
         };
         let (columns, wanted) = on_points(&fitted, &values);
         let solution = least_squares(columns, &wanted);
         let (columns, wanted) = on_points(&checked, &checks);
-        let residual = residual(task, &channels, &wanted, &(&wanted - columns * &solution));
+        let residual = residual(task, &wanted, &(&wanted - columns * &solution));
         let loads = task.tractions.len();
         Self {
-            displacements: displacements(&channels, &series, task.kappa),
+            displacements: displacements(channels, &series, task.kappa),
             by_loads: solution.columns(0, loads).into_owned(),
             by_channels: solution.columns(loads, channels.len()).into_owned(),
             points: fitted.len(),
-            basis,
+            basis: Arc::new(basis),
             terms,
-            channels,
+            channels: channels.to_vec(),
             answers,
             residual,
         }
@@ -139,22 +143,37 @@ impl OuterFit {
         }
         let answers = &self.answers * amounts;
         for (channel, &amount) in self.channels.iter().zip(answers.iter()) {
-            outside
-                .modes
-                .push((channel.order, channel.unit.value() * amount));
+            outside.add_mode(channel.order, channel.unit.value() * amount);
         }
-        outside.outer.push(Outer {
-            basis: self.basis.clone(),
-            phi,
-            psi,
-            corners,
-        });
+        let outer = Outer::new(Arc::clone(&self.basis), phi, psi, corners);
+        outside.outer.push(outer);
+    }
+
+    /// What the terms times `amounts` (terms × states), and the series that keep the hole free of them, add to σ_rr + σ_θθ at the places `directions` of the
+    /// hole's edge, places × states.
+    pub(crate) fn sums_on_edge(&self, directions: &[C64], amounts: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut by_terms = DMatrix::zeros(directions.len(), self.terms.len());
+        let mut by_channels = DMatrix::zeros(directions.len(), self.channels.len());
+        for (place, &direction) in directions.iter().enumerate() {
+            let values = self.basis.values(direction);
+            for (column, term) in self.terms.iter().enumerate() {
+                by_terms[(place, column)] = 4.0 * phi_at(*term, &values, direction).re;
+            }
+            for (column, channel) in self.channels.iter().enumerate() {
+                if channel.order < 0 {
+                    let power = direction.powi(channel.order as i32 - 1);
+                    by_channels[(place, column)] = 4.0 * (channel.unit.value() * power).re;
+                }
+            }
+        }
+        by_terms.gemm(1.0, &by_channels, &self.answers, 1.0);
+        by_terms * amounts
     }
 }
 
 /// All modes up to the largest order, in the order of |K|.
-fn channels(task: &Task<'_>) -> Vec<Channel> {
-    let orders = (0..=task.orders).flat_map(|order| {
+pub(crate) fn channels(units: &[Unit], orders: i64) -> Vec<Channel> {
+    let orders = (0..=orders).flat_map(|order| {
         if order == 0 {
             vec![0]
         } else {
@@ -162,7 +181,7 @@ fn channels(task: &Task<'_>) -> Vec<Channel> {
         }
     });
     orders
-        .flat_map(|order| task.units.iter().map(move |&unit| Channel { order, unit }))
+        .flat_map(|order| units.iter().map(move |&unit| Channel { order, unit }))
         .collect()
 }
 
@@ -231,6 +250,22 @@ pub(crate) fn hole_mode(order: i64, t: C64, power: C64, inverse: C64, kappa: f64
     }
 }
 
+/// φ′ of a term without the series that keep the hole free, `values` being those of the polynomials at `zeta`.
+fn phi_at(term: Term, values: &[C64], zeta: C64) -> C64 {
+    match term {
+        Term::Polynomial {
+            potential: Potential::Phi,
+            degree,
+            unit,
+        } => unit.value() * values[degree],
+        Term::Polynomial { .. } => C64::new(0.0, 0.0),
+        Term::Corner { place, image } => {
+            let [own, other] = [place, place.conj()].map(|c| corner(c, zeta)[0]);
+            own + image * other
+        }
+    }
+}
+
 /// Tractions of the terms without the series that keep the hole free, 2 points × terms.
 fn term_tractions(points: &[EdgePoint], terms: &[Term], values: &Values) -> DMatrix<f64> {
     let zero = C64::new(0.0, 0.0);
@@ -263,19 +298,14 @@ fn term_tractions(points: &[EdgePoint], terms: &[Term], values: &Values) -> DMat
 }
 
 /// Right-hand sides: load cases with the reactions that balance them, then −(the tractions of unit modes).
-fn sides(
-    task: &Task<'_>,
-    points: &[EdgePoint],
-    hole: &DMatrix<f64>,
-    channels: &[Channel],
-) -> DMatrix<f64> {
-    let loads = task.tractions.len();
+fn sides(task: &Task<'_>, points: &[EdgePoint], hole: &DMatrix<f64>) -> DMatrix<f64> {
+    let (loads, channels) = (task.tractions.len(), task.channels);
     let mut sides = DMatrix::zeros(2 * points.len(), loads + channels.len());
     let given = rows(points.len(), loads, |point, case| {
         let EdgePoint { edge, normal, .. } = points[point];
         own_part(task, case, edge).conj() * normal
     });
-    let balance = hole * (task.reactions)(channels);
+    let balance = hole * task.reactions;
     sides.columns_mut(0, loads).copy_from(&(given - balance));
     (sides.columns_mut(loads, channels.len())).copy_from(&-hole);
     sides
@@ -294,12 +324,7 @@ fn own_part(task: &Task<'_>, case: usize, edge: usize) -> C64 {
 }
 
 /// Largest traction that is left, relative to the mean one: of load cases over loaded edges, of modes over the outline under a net force on the hole.
-fn residual(
-    task: &Task<'_>,
-    channels: &[Channel],
-    wanted: &DMatrix<f64>,
-    left: &DMatrix<f64>,
-) -> f64 {
+fn residual(task: &Task<'_>, wanted: &DMatrix<f64>, left: &DMatrix<f64>) -> f64 {
     let size =
         |column: &[f64]| -> Vec<f64> { column.chunks_exact(2).map(|z| z[0].hypot(z[1])).collect() };
     let largest = |column: usize| {
@@ -321,7 +346,7 @@ fn residual(
     }
     let unit = size(wanted.column(loads).as_slice());
     let mean = unit.iter().sum::<f64>() / unit.len() as f64;
-    for (k, channel) in channels.iter().enumerate() {
+    for (k, channel) in task.channels.iter().enumerate() {
         // Modes with a resultant have no balance of their own.
         let alone = channel.order == 0 || (channel.order, channel.unit) == (1, Unit::Imaginary);
         if !alone {

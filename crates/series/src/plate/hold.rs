@@ -4,6 +4,9 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::nodes::Nodes;
 
+/// Rows and columns that are made symmetric together, so that both triangles stay in the processor's cache.
+const TILE: usize = 32;
+
 /// Forces S that hold a floating body, and the motion that is counted as its rigid one: even tractions, and the mean motion of the hole.
 #[derive(Clone, Debug)]
 pub(super) struct Hold {
@@ -46,7 +49,17 @@ impl Hold {
     pub(super) fn symmetric(&self, mut compliance: DMatrix<f64>) -> DMatrix<f64> {
         let held = &compliance * &self.forces;
         compliance.gemm(-1.0, &held, &self.motions.transpose(), 1.0);
-        let transposed = compliance.transpose();
-        (compliance + transposed) * 0.5
+        let count = compliance.ncols();
+        let blocks = || (0..count).step_by(TILE);
+        for (left, top) in blocks().flat_map(|left| blocks().map(move |top| (left, top))) {
+            for column in left..count.min(left + TILE) {
+                for row in top..column.min(top + TILE) {
+                    let mean = 0.5 * (compliance[(row, column)] + compliance[(column, row)]);
+                    compliance[(row, column)] = mean;
+                    compliance[(column, row)] = mean;
+                }
+            }
+        }
+        compliance
     }
 }

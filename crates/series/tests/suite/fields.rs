@@ -365,3 +365,23 @@ fn states_and_points_that_do_not_fit_are_refused() {
     assert!(field.displacement([7.1, 0.0]).is_err());
     assert!(field.displacement([6.9, 3.9]).is_ok());
 }
+
+#[test]
+fn stress_and_displacement_together_are_those_alone() {
+    for (cases, ratios) in [
+        (holes(), [1.0, 1.01, 1.7]),
+        (disks(), [1.0, 0.97, 0.3]),
+        (plates(), [1.0, 1.05, 1.9]),
+    ] {
+        for Case { field, .. } in cases {
+            for ratio in ratios {
+                let point = at(2.3, ratio);
+                let both = (
+                    field.stress(point).unwrap(),
+                    field.displacement(point).unwrap(),
+                );
+                assert_eq!(field.at(point).unwrap(), both);
+            }
+        }
+    }
+}

@@ -2,8 +2,10 @@
 
 mod contacts;
 mod contract;
+mod edges;
 mod fields;
 mod howland;
 mod orthotropic;
+mod peaks;
 mod persson;
 mod strip;

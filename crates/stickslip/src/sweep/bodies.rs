@@ -14,6 +14,7 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     let Body {
         substance,
         shape,
+        model: _,
         mesh: _,
     } = scene.bodies.get(name)?;
     let Substance::Elastic {
@@ -32,6 +33,9 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
         experimental: _,
         substeps: _,
         ramp: _,
+        accuracy: _,
+        budget: _,
+        contact_nodes: _,
     } = scene.analysis;
     let elastic = constants.in_plane(plane).ok()?;
     let mut text = format!(

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Mutex, PoisonError};
@@ -23,6 +24,7 @@ use stickslip_engine::model::{Model, ModelBody, ModelBodyKind, ModelError};
 use stickslip_engine::results::Results;
 use stickslip_engine::run::{Operator, follow, results_without_audit, solver};
 use stickslip_scene::Scene;
+use stickslip_scene::schema::FieldOutput;
 
 /// What a sweep took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -185,6 +187,9 @@ impl<'a> Shop<'a> {
     }
 
     fn results(&self, case: usize, scene: &Scene, last: &mut LastModel) -> Result<Results, String> {
+        if scene.seeks_accuracy() {
+            return whole(scene);
+        }
         let model = modelled(scene, last).map_err(|error| error.to_string())?;
         let operators = self.operators(case, scene, &model)?;
         let faces: Vec<&dyn InterfaceOperator> =
@@ -219,6 +224,9 @@ impl<'a> Shop<'a> {
         model: &Model,
     ) -> Result<Vec<Operator>, String> {
         let operator = |body: &ModelBody| {
+            if let Some(series) = &body.series {
+                return Ok(Operator::Series(Arc::clone(series)));
+            }
             let elastic = match &body.kind {
                 ModelBodyKind::Rigid(rigid) => return Ok(Operator::Rigid(rigid.clone())),
                 ModelBodyKind::Elastic(elastic) => elastic,
@@ -243,6 +251,13 @@ impl<'a> Shop<'a> {
         };
         model.bodies.iter().map(operator).collect()
     }
+}
+
+/// A case that finds its own model for the accuracy that it asks for.
+fn whole(scene: &Scene) -> Result<Results, String> {
+    let mut scene = scene.clone();
+    scene.output.fields = FieldOutput::None;
+    stickslip_engine::run::run(&scene, &mut |_| {}).map_err(|error| error.to_string())
 }
 
 /// The model of `scene`, from the last one where it differs in laws and loads only.

@@ -8,6 +8,7 @@ mod frames;
 mod halves;
 mod mortar;
 mod remarks;
+mod series;
 mod several;
 mod travel;
 mod unbalanced;

@@ -67,6 +67,7 @@ pub(crate) fn results() -> Results {
         steps,
         failure: Vec::new(),
         phases: vec![("mesh", 0.25), ("contact", 0.5)],
+        ladder: None,
     }
 }
 

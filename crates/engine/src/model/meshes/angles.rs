@@ -11,7 +11,10 @@ use stickslip_scene::schema::{Division, Grading};
 const ANGLE_GROWTH: f64 = 1.15;
 
 /// Angles of the corner nodes on the contact circle, from 0 to π (half) or to below 2π (whole).
-pub(super) fn on_circles(body: &BodyPlan<'_>, half: bool) -> Result<Vec<f64>, ModelError> {
+pub(in crate::model) fn on_circles(
+    body: &BodyPlan<'_>,
+    half: bool,
+) -> Result<Vec<f64>, ModelError> {
     let refuse = |what: String| ModelError::MeshSettings {
         body: body.name.to_owned(),
         what,

@@ -31,6 +31,9 @@ pub(crate) struct Summary<'a> {
     pub(super) dofs: usize,
     pub(super) factorisations: usize,
     pub(super) wall_time_s: BTreeMap<&'static str, f64>,
+    /// How an accuracy was sought, where one was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) accuracy: Option<Sought>,
     /// Name of the edge whose quantities stand directly in each step.
     pub(super) edge: Option<&'a str>,
     pub(super) edges: Vec<Edge<'a>>,
@@ -38,6 +41,27 @@ pub(crate) struct Summary<'a> {
     /// Failure of the laminated bodies for which the scene requests it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) failure: Vec<Failure<'a>>,
+}
+
+/// How an accuracy was sought.
+#[derive(Debug, Serialize)]
+pub(super) struct Sought {
+    /// Relative error that was asked for.
+    pub(super) asked: Option<f64>,
+    /// Whether it was reached, and otherwise why not.
+    pub(super) end: &'static str,
+    pub(super) rungs: Vec<Tried>,
+}
+
+/// A model that was tried.
+#[derive(Debug, Serialize)]
+pub(super) struct Tried {
+    pub(super) model: String,
+    pub(super) increments: usize,
+    /// Largest relative error, and what has it.
+    pub(super) error: Option<f64>,
+    pub(super) of: Option<&'static str>,
+    pub(super) wall_time_s: f64,
 }
 
 #[derive(Debug, Serialize)]

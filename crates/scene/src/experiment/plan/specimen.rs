@@ -12,7 +12,7 @@ use crate::document::Part;
 use crate::experiment::format::{ExperimentFormat, HoleFormat, SpecimenFormat};
 use crate::experiment::{Hole, Specimen, SpecimenScene};
 use crate::placement::centre as centre_of;
-use crate::schema::Substance;
+use crate::schema::{BodyModel, Substance};
 use crate::shape::Role;
 use crate::{Format, Scene};
 
@@ -53,6 +53,7 @@ fn of_scene(
         return Err(refuse.conflict("specimen.scene", message, remedy));
     }
     let scene = Scene::from_file(path, &given.overrides, refuse.0.host)?;
+    has_mesh(refuse, &scene)?;
     let body = body_of(refuse, given, &scene)?;
     let Some(found) = scene.bodies.get(&body) else {
         let known = scene.bodies.keys().cloned();
@@ -118,6 +119,19 @@ fn body_of(
     }
 }
 
+/// Measured displacements are compared with those of finite elements.
+fn has_mesh(refuse: Refuse<'_>, scene: &Scene) -> Result<(), SceneError> {
+    let mut bodies = scene.bodies.values();
+    let by_series = bodies.any(|body| body.model == BodyModel::Series);
+    if scene.is_divided_anywhere() && !by_series {
+        return Ok(());
+    }
+    let message =
+        "the scene of a specimen needs a mesh, on which measured displacements are compared";
+    let remedy = "add [mesh] to the scene, or specimen.overrides = [\"mesh.spacing=2 deg\"], without model = \"series\"";
+    Err(refuse.conflict("specimen.scene", message, remedy))
+}
+
 /// The scene as it is fitted: with `model_overrides` on top of the others. Its hole and its loads are those of the experiment.
 fn model_of(
     refuse: Refuse<'_>,
@@ -130,6 +144,7 @@ fn model_of(
     }
     let overrides = given.overrides.iter().chain(&given.model_overrides);
     let scene = Scene::from_file(path, &overrides.collect::<Vec<_>>(), refuse.0.host)?;
+    has_mesh(refuse, &scene)?;
     let circle = |scene: &Scene| {
         let body = scene.bodies.get(&own.body)?;
         Some((centre_of(scene, &own.body), body.shape.circle(&own.edge)?))

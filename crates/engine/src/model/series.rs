@@ -1,0 +1,395 @@
+//! Which bodies are modelled by series, and their operators.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use stickslip_fem_core::material::{Isotropic, PlaneState};
+use stickslip_fem_core::mesh::{ElementKind, Point};
+use stickslip_scene::Scene;
+use stickslip_scene::schema::{BodyModel, Division, Grading, Hold, LoadKind, MeshSettings};
+use stickslip_scene::shape::{Curve, Role};
+use stickslip_series::{Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, Nodes, Outline, Plate};
+
+use super::ModelError;
+use super::meshes::on_circles;
+use super::plan::{BodyPlan, Plan};
+use crate::results::Choice;
+use crate::series::{SeriesBody, is_isotropic};
+
+/// Decides which bodies of `plan` are modelled by series, and puts their operators there.
+pub(super) fn choose(
+    plan: &mut Plan<'_>,
+    scene: &Scene,
+    half: bool,
+    choices: &mut Vec<Choice>,
+) -> Result<(), ModelError> {
+    let asked: Vec<BodyModel> = scene.bodies.values().map(|body| body.model).collect();
+    let explicit = asked.contains(&BodyModel::Series);
+    let auto = !explicit && !plan.is_divided && !plan.contacts.is_empty();
+    let mut made = Vec::new();
+    for (index, asked) in asked.iter().enumerate() {
+        let wanted = match asked {
+            BodyModel::Series => true,
+            BodyModel::Elements => false,
+            BodyModel::Auto => auto || (explicit && !plan.is_divided),
+        };
+        if !wanted || plan.is_rigid(index) {
+            continue;
+        }
+        let division = division(plan, scene, index);
+        let made_of = match scene.failure {
+            Some(_) => {
+                Err("is in a scene whose plies may fail, which is followed on elements".into())
+            }
+            None => body(plan, index, &division, half),
+        };
+        match made_of {
+            Ok(body) => made.push((index, division, body)),
+            Err(why) if *asked == BodyModel::Series => {
+                return Err(ModelError::NotSeries {
+                    body: plan.bodies[index].name.to_owned(),
+                    why,
+                });
+            }
+            // Without a mesh either all elastic bodies are series or none is, so that nodes of a pair fit.
+            Err(why) if !explicit => {
+                let why = format!("body '{}' {why}", plan.bodies[index].name);
+                return elements(plan, &why, choices);
+            }
+            Err(_) => {}
+        }
+    }
+    if made.is_empty() {
+        return elements(plan, "", choices);
+    }
+    let names: Vec<&str> = made
+        .iter()
+        .map(|(index, ..)| plan.bodies[*index].name)
+        .collect();
+    choices.push(Choice {
+        what: "bodies by series".into(),
+        value: names.join(", "),
+        reason: if explicit {
+            "the scene says so".into()
+        } else {
+            "circles without a mesh of the scene have a closed form and a fitted outer edge: no factorisation".into()
+        },
+    });
+    for (index, division, body) in made {
+        plan.bodies[index].mesh = division;
+        plan.bodies[index].series = Some(Arc::new(body));
+    }
+    Ok(())
+}
+
+/// No body is a series, because of `why`.
+fn elements(plan: &Plan<'_>, why: &str, choices: &mut Vec<Choice>) -> Result<(), ModelError> {
+    if plan.analysis.contact_nodes.is_some() {
+        return Err(ModelError::Unsupported {
+            key: "analysis.contact_nodes".into(),
+            what: "contact_nodes are those of bodies by series, and the scene has none; remove it, or the mesh".into(),
+        });
+    }
+    if !why.is_empty() {
+        choices.push(Choice {
+            what: "bodies by series".into(),
+            value: "none".into(),
+            reason: format!("{why}: finite elements"),
+        });
+    }
+    Ok(())
+}
+
+/// Where the contact nodes of a body by series lie: cells along its edge are linear, so that corners are all nodes.
+fn division(plan: &Plan<'_>, scene: &Scene, index: usize) -> MeshSettings {
+    let own = &plan.bodies[index].mesh;
+    let nodes = plan.analysis.contact_nodes;
+    let given = match nodes {
+        Some(count) => MeshSettings {
+            division: Division::Angular(Grading {
+                spacing: PI / (count - 1) as f64,
+                fine_to: None,
+                coarse_spacing: None,
+            }),
+            ..own.clone()
+        },
+        None if scene.is_divided && own.element.order() > 1 => own.finer(),
+        None => own.clone(),
+    };
+    MeshSettings {
+        element: ElementKind::Q4,
+        layers: None,
+        ..given
+    }
+}
+
+/// The body with the index `index` as a series; otherwise why it cannot be one, as the end of a sentence about it.
+fn body(
+    plan: &Plan<'_>,
+    index: usize,
+    division: &MeshSettings,
+    half: bool,
+) -> Result<SeriesBody, String> {
+    let own = &plan.bodies[index];
+    let given = Given {
+        plan,
+        index,
+        half,
+        material: isotropic(plan, own)?,
+        nodes: nodes(plan, index, division, half)?,
+        circle: circle(plan, index)?,
+    };
+    given.free_of_others()?;
+    let edges = own.shape.edges();
+    let straight = edges
+        .iter()
+        .filter_map(|edge| match edge.curve {
+            Curve::Segment { ends } => Some((edge.name, ends)),
+            _ => None,
+        })
+        .collect::<Vec<_>>();
+    match edges.len() - straight.len() {
+        1 if straight.is_empty() => given.disk(),
+        1 => given.plate(&straight),
+        _ => Err(format!(
+            "is a {} with several curved edges",
+            own.shape.name()
+        )),
+    }
+}
+
+/// What a body by series is made of.
+struct Given<'a> {
+    plan: &'a Plan<'a>,
+    index: usize,
+    half: bool,
+    material: Isotropic,
+    nodes: Nodes,
+    circle: Circle,
+}
+
+impl Given<'_> {
+    /// Nothing is on the body that series do not hold.
+    fn free_of_others(&self) -> Result<(), String> {
+        if self.plan.platens_of(self.index).next().is_some() {
+            return Err("has a platen".into());
+        }
+        let mut loads = self.plan.loads.iter();
+        let other = loads.find(|load| {
+            load.body == self.index
+                && matches!(
+                    load.of.kind,
+                    LoadKind::Bearing { .. }
+                        | LoadKind::PolarTraction { .. }
+                        | LoadKind::Temperature { .. }
+                )
+        });
+        match other {
+            Some(load) => Err(format!(
+                "has the load '{}', neither force nor pressure",
+                load.of.name
+            )),
+            None => Ok(()),
+        }
+    }
+
+    fn disk(self) -> Result<SeriesBody, String> {
+        let mut displacement = [0.0; 2];
+        let mut held = [false; 2];
+        let supports = self.plan.supports.iter();
+        for support in supports.filter(|support| support.body == self.index) {
+            let Hold::Axes(axes) = support.of.hold else {
+                return Err("has a skew support".into());
+            };
+            if support.edge.is_some() {
+                return Err("is held along its rim".into());
+            }
+            for (axis, own) in [axes.x, axes.y].into_iter().enumerate() {
+                if own {
+                    held[axis] = true;
+                    displacement[axis] = support.of.displacement;
+                }
+            }
+        }
+        if self.half {
+            held[1] = held[0];
+            displacement[1] = 0.0;
+        }
+        if held[0] != held[1] {
+            return Err("is held along one axis only".into());
+        }
+        let mut loads = Vec::new();
+        for load in &self.plan.loads {
+            if load.body == self.index {
+                return Err(format!("has the load '{}' on its rim", load.of.name));
+            }
+            loads.push(DiskLoad::default());
+        }
+        loads.push(DiskLoad {
+            displacement,
+            ..DiskLoad::default()
+        });
+        let make = if held[0] { Disk::held } else { Disk::floating };
+        let disk = make(
+            self.nodes,
+            &self.material,
+            self.circle,
+            Anchor::default(),
+            &loads,
+        );
+        let disk = disk.map_err(|cause| cause.to_string())?;
+        Ok(SeriesBody::Disk(Box::new(disk)))
+    }
+
+    fn plate(self, straight: &[(&'static str, [Point; 2])]) -> Result<SeriesBody, String> {
+        if self.plan.supports_of(self.index).next().is_some() {
+            return Err("is held along an outer edge".into());
+        }
+        let order = cycle(straight).ok_or("has an outline that is not closed")?;
+        let centre = self.circle.centre;
+        let moved = |point: Point| [point[0] + centre[0], point[1] + centre[1]];
+        let vertices = order
+            .iter()
+            .map(|&edge| moved(straight[edge].1[0]))
+            .collect();
+        let mut loads = Vec::new();
+        for load in &self.plan.loads {
+            let name = load
+                .edge
+                .filter(|_| load.body == self.index)
+                .map(|edge| edge.name);
+            let Some(name) = name else {
+                loads.push(Vec::new());
+                continue;
+            };
+            let on = order.iter().position(|&edge| straight[edge].0 == name);
+            let edge = on.ok_or_else(|| format!("has the load '{}' on its hole", load.of.name))?;
+            let ends = straight[order[edge]].1;
+            loads.push(vec![EdgeLoad {
+                edge,
+                force: self.force(&load.of.kind, ends),
+            }]);
+        }
+        loads.push(Vec::new());
+        let outline = Outline::new(vertices);
+        let accuracy = Accuracy::default();
+        let plate = Plate::new(
+            self.nodes,
+            &self.material,
+            self.circle,
+            &outline,
+            &loads,
+            accuracy,
+        );
+        let plate = plate.map_err(|cause| format!("has no series: {cause}"))?;
+        Ok(SeriesBody::Plate(Box::new(plate)))
+    }
+
+    /// The force of a unit load on an edge between `ends`, of the whole body.
+    fn force(&self, kind: &LoadKind, ends: [Point; 2]) -> [f64; 2] {
+        match kind {
+            LoadKind::Force { direction, .. } => *direction,
+            LoadKind::Pressure { .. } => {
+                // The body is on the left of the way from the first end to the second.
+                let [x, y] = [0, 1].map(|axis| ends[1][axis] - ends[0][axis]);
+                [-y, x].map(|part| part * self.circle.thickness)
+            }
+            _ => [0.0; 2],
+        }
+    }
+}
+
+/// The order in which the edges follow each other with the body on the left, beginning with the first.
+fn cycle(edges: &[(&'static str, [Point; 2])]) -> Option<Vec<usize>> {
+    let mut order = vec![0];
+    while order.len() < edges.len() {
+        let end = edges[*order.last()?].1[1];
+        let next = edges.iter().position(|(_, [start, _])| *start == end)?;
+        if order.contains(&next) {
+            return None;
+        }
+        order.push(next);
+    }
+    Some(order)
+}
+
+/// The circle of the body's only contact.
+fn circle(plan: &Plan<'_>, index: usize) -> Result<Circle, String> {
+    let own = &plan.bodies[index];
+    let sides = plan.contacts.iter().flat_map(|contact| &contact.sides);
+    let mut touching = sides.filter(|side| side.body == index);
+    let (Some(side), None) = (touching.next(), touching.next()) else {
+        return Err("does not touch along exactly one edge".into());
+    };
+    let round = side
+        .edge
+        .filter(|edge| matches!(edge.role, Role::Hole | Role::Rim));
+    let radius = round.and_then(|edge| edge.circle());
+    Ok(Circle {
+        centre: own.centre,
+        radius: radius.ok_or("touches along an edge that is not a closed circle")?,
+        thickness: own.thickness(),
+    })
+}
+
+/// Contact nodes, in the order in which results stand along a circle.
+fn nodes(
+    plan: &Plan<'_>,
+    index: usize,
+    division: &MeshSettings,
+    half: bool,
+) -> Result<Nodes, String> {
+    let own = BodyPlan {
+        mesh: division.clone(),
+        series: None,
+        ..plan.bodies[index]
+    };
+    if !own.shape.is_round() {
+        return Err(format!("is a {}", own.shape.name()));
+    }
+    let angles = on_circles(&own, half).map_err(|cause| cause.to_string())?;
+    let made = if half {
+        Nodes::mirrored(angles)
+    } else {
+        let back = |angle: f64| {
+            if angle > PI - 1e-9 {
+                angle - 2.0 * PI
+            } else {
+                angle
+            }
+        };
+        let mut angles: Vec<f64> = angles.into_iter().map(back).collect();
+        angles.sort_by(f64::total_cmp);
+        Nodes::circle(angles)
+    };
+    made.map_err(|cause| format!("has no series: {cause}"))
+}
+
+/// The isotropic material with the plane stiffness of the body, in plane stress; of a quasi-isotropic laminate that of its membrane.
+fn isotropic(plan: &Plan<'_>, own: &BodyPlan<'_>) -> Result<Isotropic, String> {
+    let material = own.elastic.ok_or("is rigid")?.material;
+    let d = material
+        .in_plane(plan.analysis.plane)
+        .map_err(|cause| cause.to_string())?
+        .stiffness();
+    let (along, cross) = (d[0][0], d[0][1]);
+    if !is_isotropic(&d) {
+        return Err("is not isotropic".into());
+    }
+    let poisson = cross / along;
+    let young = along * (1.0 - poisson * poisson);
+    // In plane strain of a nearly incompressible material the equivalent ratio exceeds ½, and no plane-stress material has it.
+    let state = if poisson <= 0.5 {
+        PlaneState::Stress
+    } else {
+        PlaneState::Strain
+    };
+    let [young, poisson] = match state {
+        PlaneState::Stress => [young, poisson],
+        PlaneState::Strain => {
+            let own = poisson / (1.0 + poisson);
+            [young * (1.0 - own * own), own]
+        }
+    };
+    Isotropic::new(young, poisson, state).map_err(|cause| cause.to_string())
+}

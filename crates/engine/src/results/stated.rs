@@ -1,0 +1,152 @@
+//! The numbers of an edge that are stated with an error, and the rungs by which the errors were found.
+
+use super::EdgeResults;
+
+/// A number of an edge at the end of a load step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stated {
+    /// Half of the extent of contact `[rad or mm]`.
+    ContactExtent,
+    /// Half of the extent of the stick zone around the bearing point `[rad or mm]`.
+    StickExtent,
+    /// Place of the bearing point `[rad or mm]`.
+    Bearing,
+    /// Largest pressure `[MPa]`.
+    PeakPressure,
+    /// Its place `[rad or mm]`.
+    PeakPressurePlace,
+    /// Largest tangential stress `[MPa]`.
+    PeakHoop,
+    /// Its place `[rad or mm]`.
+    PeakHoopPlace,
+    /// Tangential stress at the bearing point `[MPa]`.
+    HoopAtBearing,
+    /// Friction force `[N]`.
+    FrictionForce,
+    /// Normal force `[N]`.
+    NormalForce,
+}
+
+impl Stated {
+    /// All of them.
+    pub const ALL: [Self; 10] = [
+        Self::ContactExtent,
+        Self::StickExtent,
+        Self::Bearing,
+        Self::PeakPressure,
+        Self::PeakPressurePlace,
+        Self::PeakHoop,
+        Self::PeakHoopPlace,
+        Self::HoopAtBearing,
+        Self::FrictionForce,
+        Self::NormalForce,
+    ];
+
+    /// Those whose relative error an accuracy bounds.
+    pub const ASKED: [Self; 4] = [
+        Self::PeakPressure,
+        Self::PeakHoop,
+        Self::ContactExtent,
+        Self::FrictionForce,
+    ];
+
+    /// The number in `edge`, in base units.
+    pub fn value(self, edge: &EdgeResults) -> Option<f64> {
+        match self {
+            Self::ContactExtent => edge.contact_half_extent,
+            Self::StickExtent => edge.stick_half_extent,
+            Self::Bearing => edge.bearing,
+            Self::PeakPressure => edge.peak_pressure.map(|peak| peak.0),
+            Self::PeakPressurePlace => edge.peak_pressure.map(|peak| peak.1),
+            Self::PeakHoop => edge.peak_hoop.map(|peak| peak.0),
+            Self::PeakHoopPlace => edge.peak_hoop.map(|peak| peak.1),
+            Self::HoopAtBearing => edge.hoop_at_bearing_point,
+            Self::FrictionForce => Some(edge.friction_force),
+            Self::NormalForce => Some(edge.normal_force),
+        }
+    }
+
+    /// Whether it is that of a node, and so known to half of their spacing at best.
+    pub fn is_of_nodes(self) -> bool {
+        matches!(
+            self,
+            Self::StickExtent | Self::PeakPressurePlace | Self::PeakHoopPlace
+        )
+    }
+
+    /// What it is, for a reader.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::ContactExtent => "extent of contact",
+            Self::StickExtent => "extent of stick",
+            Self::Bearing => "bearing point",
+            Self::PeakPressure => "peak pressure",
+            Self::PeakPressurePlace => "place of the peak pressure",
+            Self::PeakHoop => "peak tangential stress",
+            Self::PeakHoopPlace => "place of the peak tangential stress",
+            Self::HoopAtBearing => "tangential stress at the bearing point",
+            Self::FrictionForce => "friction force",
+            Self::NormalForce => "normal force",
+        }
+    }
+}
+
+/// Estimated errors of the stated numbers of an edge in a step, in base units; empty where none were estimated.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Errors(Vec<Option<f64>>);
+
+impl Errors {
+    /// The errors `error` of all stated numbers.
+    pub(crate) fn of(error: impl FnMut(Stated) -> Option<f64>) -> Self {
+        Self(Stated::ALL.into_iter().map(error).collect())
+    }
+
+    /// The error of `stated`; `None` where the number has none or none was estimated.
+    pub fn get(&self, stated: Stated) -> Option<f64> {
+        let at = Stated::ALL.iter().position(|own| *own == stated)?;
+        self.0.get(at).copied().flatten()
+    }
+
+    /// Whether none were estimated.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+/// A model that was tried on the way to an accuracy.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rung {
+    /// How it is divided: "series, 61 nodes".
+    pub model: String,
+    /// Increments of each load step.
+    pub increments: usize,
+    /// Largest relative error of what is asked for, and what has it; `None` of the first rung, which has no coarser one to compare with.
+    pub error: Option<(f64, Stated)>,
+    /// Wall time `[s]`.
+    pub seconds: f64,
+}
+
+/// How an accuracy was sought.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ladder {
+    /// Relative error that was asked for; `None` where only errors were.
+    pub asked: Option<f64>,
+    /// What was tried, in this order; the results are those of the last one.
+    pub rungs: Vec<Rung>,
+    /// Why the climb ended there.
+    pub end: LadderEnd,
+}
+
+/// Why no finer model was tried.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LadderEnd {
+    /// The estimated errors meet what was asked.
+    Reached,
+    /// The division is pinned by the scene.
+    #[default]
+    Pinned,
+    /// The budget is spent.
+    Budget,
+    /// The finest model that is tried.
+    Finest,
+}

@@ -1,0 +1,317 @@
+//! The ladder: finer and finer models of a scene until the estimated errors meet what is asked.
+//!
+//! Errors have two parts, that of the division and that of the load path. A number v of a model with spacing h is compared with that of the
+//! models with 2h and 4h, and that of increments Δ, on a coarse model, with those of 2Δ and 4Δ:
+//!
+//! ```text
+//! error = k max(|v_h − v_2h|, |v_2h − v_4h|/2) + |v_Δ − v_2Δ| r/(1 − r),     r = |v_Δ − v_2Δ|/|v_2Δ − v_4Δ| between ½ and ⅘
+//! ```
+//!
+//! k depends on the number, [`factor`]. docs/accuracy.md shows how often the truth lies within.
+
+mod models;
+
+use stickslip_contact::InterfaceSolver;
+use stickslip_scene::Scene;
+use stickslip_scene::schema::Accuracy;
+
+use self::models::{Division, Level, Models};
+use super::{Progress, RunError, results};
+use crate::results::{EdgeResults, Errors, Ladder, LadderEnd, Results, Rung, Stated};
+
+/// Most increments of a load step that are tried.
+const INCREMENTS: usize = 64;
+/// Numbers below this part of the largest of their history are measured by it.
+const SMALL: f64 = 1e-3;
+/// The increments may take this part of what is asked.
+const PATH_SHARE: f64 = 0.5;
+/// A finer model takes about so many times as long as the last one.
+const GROWTH: f64 = 4.0;
+
+/// The error that increments leave is at most so many times the change that halving them last made.
+const SLOWEST: f64 = 4.0;
+/// Of two estimates of an error the smaller one counts, but at least this part of the larger one.
+const LEAST: f64 = 0.1;
+
+/// Errors per step, edge and number.
+type Table = Vec<Vec<Errors>>;
+
+/// Climbs until the accuracy of `scene` is met, and returns the results of the last model.
+///
+/// # Errors
+/// [`RunError`] of the first models; a finer model that cannot be made leaves the answer of the last one.
+pub(super) fn climb(
+    scene: &Scene,
+    solver: &dyn InterfaceSolver,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Results, RunError> {
+    let models = Models::new(scene, solver)?;
+    let asked = scene
+        .analysis
+        .accuracy
+        .or(models.is_free().then_some(Accuracy::DEFAULT));
+    let mut climb = Climb {
+        asked: asked.map(Accuracy::share),
+        start: scene.host().seconds(),
+        rungs: Vec::new(),
+        scene,
+        models,
+    };
+    let (base, path) = climb.increments(progress)?;
+    let coarse = climb.models.level(base.rung - 1, base.substeps, progress);
+    let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
+    loop {
+        let errors = sum(&division_errors(&levels), &path);
+        let end = climb.end(&levels, &errors);
+        let last = levels
+            .last()
+            .map_or((0, 1), |last| (last.rung + 1, last.substeps));
+        let next = match end {
+            None => climb.models.level(last.0, last.1, progress).ok(),
+            Some(_) => None,
+        };
+        match next {
+            Some(level) => levels.push(level),
+            None => return climb.finish(levels, errors, end.unwrap_or(LadderEnd::Finest)),
+        }
+    }
+}
+
+struct Climb<'a> {
+    scene: &'a Scene,
+    models: Models<'a>,
+    asked: Option<f64>,
+    start: f64,
+    rungs: Vec<Rung>,
+}
+
+impl Climb<'_> {
+    /// A model whose increments are fine enough, with the error that they leave.
+    fn increments(
+        &mut self,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<(Level, Table), RunError> {
+        let substeps = self.scene.analysis.substeps;
+        let mut base = self.models.level(1, substeps, progress)?;
+        self.record(&base, None);
+        if !base.rubs() {
+            return Ok((base, Table::new()));
+        }
+        let pinned = self.scene.is_given("analysis.substeps");
+        let mut before = Table::new();
+        loop {
+            let finer = self.models.level(1, 2 * base.substeps, progress)?;
+            let change = difference(&finer, &base);
+            if pinned {
+                let left = zipped(&change, &before, |change, _| {
+                    Some((1.0 + SLOWEST) * change?)
+                });
+                return Ok((base, left));
+            }
+            let left = zipped(&change, &before, path_error);
+            let worst = worst(&finer, &left).map_or(0.0, |(error, _)| error);
+            self.record(&finer, None);
+            let asked = self.asked.map(|asked| PATH_SHARE * asked);
+            let is_fine = asked.is_none_or(|asked| worst <= asked);
+            if is_fine || finer.substeps >= INCREMENTS || self.is_spent(&finer) {
+                return Ok((finer, left));
+            }
+            before = change;
+            base = finer;
+        }
+    }
+
+    fn record(&mut self, level: &Level, error: Option<(f64, Stated)>) {
+        self.rungs.push(Rung {
+            model: level.describe(),
+            increments: level.substeps,
+            error,
+            seconds: level.seconds,
+        });
+    }
+
+    /// Records the last of `levels`, and says why the climb ends there, if it does.
+    fn end(&mut self, levels: &[Level], errors: &Table) -> Option<LadderEnd> {
+        let last = levels.last()?;
+        let error = worst(last, errors);
+        let is_known =
+            |rung: &Rung| (&rung.model, rung.increments) == (&last.describe(), last.substeps);
+        match self.rungs.iter_mut().rev().find(|rung| is_known(rung)) {
+            Some(rung) => rung.error = error,
+            None => self.record(last, error),
+        }
+        let reached = match (self.asked, error) {
+            (Some(asked), Some((error, _))) => error <= asked,
+            (Some(_), None) => true,
+            (None, _) => false,
+        };
+        if reached {
+            Some(LadderEnd::Reached)
+        } else if self.models.division() == Division::Pinned {
+            Some(LadderEnd::Pinned)
+        } else if self.is_spent(last) {
+            Some(LadderEnd::Budget)
+        } else {
+            self.models
+                .is_finest(last.rung)
+                .then_some(LadderEnd::Finest)
+        }
+    }
+
+    /// Whether a model finer than `last` would exceed the budget.
+    fn is_spent(&self, last: &Level) -> bool {
+        let spent = self.scene.host().seconds() - self.start + GROWTH * last.seconds;
+        let budget = self.scene.analysis.budget;
+        budget.is_some_and(|budget| spent > budget.seconds())
+    }
+
+    /// The results of the last level, with their errors.
+    fn finish(
+        self,
+        mut levels: Vec<Level>,
+        errors: Table,
+        end: LadderEnd,
+    ) -> Result<Results, RunError> {
+        let Some(last) = levels.pop() else {
+            return super::run_with(self.scene, self.models.solver(), &mut |_| {});
+        };
+        let mut found = results(&last.model, self.models.solver(), last.solved)?;
+        for ((step, fitted), errors) in found.steps.iter_mut().zip(last.steps).zip(errors) {
+            for ((edge, fitted), errors) in step.edges.iter_mut().zip(fitted).zip(errors) {
+                *edge = EdgeResults { errors, ..fitted };
+            }
+        }
+        found.ladder = Some(Ladder {
+            asked: self.asked,
+            rungs: self.rungs,
+            end,
+        });
+        Ok(found)
+    }
+}
+
+/// k of the module's equation: how many times the difference of two models the error of the finer one is at most.
+fn factor(stated: Stated) -> f64 {
+    match stated {
+        Stated::PeakPressure | Stated::FrictionForce | Stated::NormalForce | Stated::Bearing => 1.0,
+        Stated::HoopAtBearing | Stated::ContactExtent => 1.5,
+        Stated::PeakHoop => 2.5,
+        Stated::StickExtent | Stated::PeakPressurePlace | Stated::PeakHoopPlace => 2.0,
+    }
+}
+
+/// What increments leave of a number, by the change that halving them makes and the change of the halving before: the sum of the geometric series that goes on at the
+/// rate of these two, between that of first order and that of [`SLOWEST`].
+fn path_error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
+    let change = change?;
+    let slowest = SLOWEST / (1.0 + SLOWEST);
+    let rate = before.map_or(slowest, |before| (change / before).clamp(0.5, slowest));
+    // Equal numbers have no rate.
+    let rate = if rate.is_finite() { rate } else { slowest };
+    Some(change * rate / (1.0 - rate))
+}
+
+/// What the division leaves, by the last two or three of `levels`.
+fn division_errors(levels: &[Level]) -> Table {
+    let [.., coarse, fine] = levels else {
+        return Table::new();
+    };
+    let last = difference(fine, coarse);
+    let before = match levels {
+        [.., coarser, coarse, _] => difference(coarse, coarser),
+        _ => Table::new(),
+    };
+    let get =
+        |table: &Table, step: usize, edge: usize, stated| table.get(step)?.get(edge)?.get(stated);
+    let edges = |step: usize| {
+        let own = fine.spacings.iter().enumerate();
+        own.map(|(edge, spacing)| {
+            Errors::of(|stated| {
+                let own = get(&fine.fitted, step, edge, stated);
+                let change = get(&last, step, edge, stated)?;
+                let before = get(&before, step, edge, stated);
+                let change = before.map_or(change, |before| change.max(0.5 * before));
+                let least = if stated.is_of_nodes() {
+                    0.5 * spacing
+                } else {
+                    0.0
+                };
+                let by_models = factor(stated) * change;
+                Some(match (own, before) {
+                    // A fit cannot resolve zones of a few nodes, where three models show how far it is off.
+                    (Some(own), Some(_)) => {
+                        own.max(LEAST * by_models).min(by_models.max(LEAST * own))
+                    }
+                    (Some(own), None) => own.max(by_models),
+                    (None, _) => by_models.max(least),
+                })
+            })
+        })
+        .collect()
+    };
+    (0..fine.steps.len()).map(edges).collect()
+}
+
+/// The differences of the numbers of two levels.
+fn difference(fine: &Level, coarse: &Level) -> Table {
+    let edges = |(step, other): (&Vec<_>, &Vec<_>)| {
+        let own = step.iter().zip(other);
+        own.map(|(edge, other)| {
+            Errors::of(|stated| Some((stated.value(edge)? - stated.value(other)?).abs()))
+        })
+        .collect()
+    };
+    fine.steps.iter().zip(&coarse.steps).map(edges).collect()
+}
+
+/// The sum of two tables; the second one may be empty.
+fn sum(one: &Table, other: &Table) -> Table {
+    zipped(one, other, |one, other| match (one, other) {
+        (Some(one), Some(other)) => Some(one + other),
+        (one, _) => one,
+    })
+}
+
+fn zipped(
+    one: &Table,
+    other: &Table,
+    join: impl Fn(Option<f64>, Option<f64>) -> Option<f64>,
+) -> Table {
+    let edges = |(step, edges): (usize, &Vec<Errors>)| {
+        let own = edges.iter().enumerate();
+        own.map(|(edge, errors)| {
+            let second = other.get(step).and_then(|edges| edges.get(edge));
+            Errors::of(|stated| join(errors.get(stated), second.and_then(|own| own.get(stated))))
+        })
+        .collect()
+    };
+    one.iter().enumerate().map(edges).collect()
+}
+
+/// The largest relative error of what an accuracy bounds, and what has it.
+fn worst(level: &Level, errors: &Table) -> Option<(f64, Stated)> {
+    let mut found: Option<(f64, Stated)> = None;
+    for (edge, geometry) in level.geometries.iter().enumerate() {
+        if !geometry.contact {
+            continue;
+        }
+        for stated in Stated::ASKED {
+            let values = level.steps.iter().map(|step| stated.value(&step[edge]));
+            let size = |value: Option<f64>| value.map_or(0.0, f64::abs);
+            let largest = values.clone().map(size).fold(0.0, f64::max);
+            for (value, errors) in values.zip(errors) {
+                let scale = match stated {
+                    Stated::FrictionForce => largest,
+                    _ => size(value).max(SMALL * largest),
+                };
+                let error = errors.get(edge).and_then(|own| own.get(stated));
+                if let Some(error) = error.filter(|_| scale > 0.0).map(|error| error / scale)
+                    && found.is_none_or(|(most, _)| error > most)
+                {
+                    found = Some((error, stated));
+                }
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,178 @@
+//! The models of a ladder.
+
+use stickslip_contact::InterfaceSolver;
+use stickslip_scene::Scene;
+use stickslip_scene::schema::MeshSettings;
+
+use crate::model::Model;
+use crate::results::{EdgeGeometry, EdgeResults, Errors};
+use crate::run::{Progress, RunError, Solved, edges, fields, peaks, solve};
+
+/// Nodes on half of a contact circle less one, of the coarsest and the finest model by series.
+const INTERVALS: [usize; 2] = [30, 960];
+/// The finest cells are 2⁴ times smaller than the coarsest.
+const HALVINGS: usize = 4;
+
+/// How the models of a ladder differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Division {
+    /// Twice as many nodes of series from rung to rung.
+    Series,
+    /// Cells half as large from rung to rung.
+    Elements,
+    /// The division of the scene, after one of cells or nodes twice as far apart.
+    Pinned,
+}
+
+/// A model that was solved.
+pub(super) struct Level {
+    pub(super) rung: usize,
+    pub(super) substeps: usize,
+    pub(super) model: Model,
+    pub(super) solved: Solved,
+    pub(super) geometries: Vec<EdgeGeometry>,
+    /// Results per step and edge.
+    pub(super) steps: Vec<Vec<EdgeResults>>,
+    /// Errors that fits between nodes estimate of themselves.
+    pub(super) fitted: Vec<Vec<Errors>>,
+    /// Largest spacing of nodes on each edge `[rad or mm]`.
+    pub(super) spacings: Vec<f64>,
+    pub(super) seconds: f64,
+    division: String,
+}
+
+impl Level {
+    /// How it is divided, for a reader.
+    pub(super) fn describe(&self) -> String {
+        self.division.clone()
+    }
+
+    /// Whether friction acts anywhere in its history.
+    pub(super) fn rubs(&self) -> bool {
+        let mut edges = self.steps.iter().flatten();
+        edges.any(|edge| edge.rows.iter().any(|row| row.shear != 0.0))
+    }
+}
+
+/// Makes the models.
+pub(super) struct Models<'a> {
+    scene: &'a Scene,
+    solver: &'a dyn InterfaceSolver,
+    division: Division,
+}
+
+impl<'a> Models<'a> {
+    pub(super) fn new(scene: &'a Scene, solver: &'a dyn InterfaceSolver) -> Result<Self, RunError> {
+        let is_pinned = scene.is_divided_anywhere() || scene.analysis.contact_nodes.is_some();
+        let is_series = |model: &Model| model.bodies.iter().any(|body| body.series.is_some());
+        let division = if is_pinned {
+            Division::Pinned
+        } else if is_series(&Model::build(scene)?) {
+            Division::Series
+        } else {
+            Division::Elements
+        };
+        Ok(Self {
+            scene,
+            solver,
+            division,
+        })
+    }
+
+    pub(super) fn division(&self) -> Division {
+        self.division
+    }
+
+    /// Whether the division is left to the program.
+    pub(super) fn is_free(&self) -> bool {
+        self.division != Division::Pinned
+    }
+
+    pub(super) fn solver(&self) -> &'a dyn InterfaceSolver {
+        self.solver
+    }
+
+    /// Whether no finer rung than `rung` is tried.
+    pub(super) fn is_finest(&self, rung: usize) -> bool {
+        match self.division {
+            Division::Series => INTERVALS[0] << rung >= INTERVALS[1],
+            Division::Elements => rung >= HALVINGS,
+            Division::Pinned => true,
+        }
+    }
+
+    /// Solves the model of a rung; rung 0 is the coarsest.
+    pub(super) fn level(
+        &self,
+        rung: usize,
+        substeps: usize,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<Level, RunError> {
+        let host = self.scene.host();
+        let start = host.seconds();
+        let (scene, division) = self.scene_of(rung, substeps);
+        let model = Model::build(&scene)?;
+        let solved = solve(&model, self.solver, progress)?;
+        let free = model.edges.iter().filter(|edge| edge.pair.is_none());
+        let wanted: Vec<usize> = free.map(|edge| edge.geometry.body).collect();
+        let recovered = fields::recover_some(&model, &solved, &wanted);
+        let (geometries, mut steps) = edges::all(&model, &solved, &recovered)?;
+        let fitted = peaks::between_nodes(&model, &solved, &geometries, &mut steps);
+        Ok(Level {
+            rung,
+            substeps,
+            seconds: host.seconds() - start,
+            spacings: geometries.iter().map(spacing).collect(),
+            fitted,
+            division,
+            model,
+            solved,
+            geometries,
+            steps,
+        })
+    }
+
+    /// The scene of a rung, and how it is divided.
+    fn scene_of(&self, rung: usize, substeps: usize) -> (Scene, String) {
+        let mut scene = self.scene.clone();
+        scene.analysis.substeps = substeps;
+        match self.division {
+            Division::Series => {
+                scene.analysis.contact_nodes = Some((INTERVALS[0] << rung) + 1);
+            }
+            Division::Elements => {
+                (0..rung).for_each(|_| each_mesh(&mut scene, MeshSettings::finer))
+            }
+            Division::Pinned => {
+                for _ in rung..1 {
+                    match &mut scene.analysis.contact_nodes {
+                        Some(count) => *count = (*count - 1).div_ceil(2) + 1,
+                        None => each_mesh(&mut scene, MeshSettings::coarser),
+                    }
+                }
+            }
+        }
+        let division = match scene.analysis.contact_nodes {
+            Some(count) => format!("series, {count} nodes on half a circle"),
+            None => format!(
+                "{} cells, {}",
+                scene.mesh.element.name(),
+                scene.mesh.division
+            ),
+        };
+        (scene, division)
+    }
+}
+
+fn each_mesh(scene: &mut Scene, change: fn(&MeshSettings) -> MeshSettings) {
+    scene.mesh = change(&scene.mesh);
+    for body in scene.bodies.values_mut() {
+        body.mesh = body.mesh.as_ref().map(change);
+    }
+}
+
+/// Largest spacing of nodes along an edge.
+fn spacing(geometry: &EdgeGeometry) -> f64 {
+    let gaps = geometry.parameter.windows(2).map(|pair| pair[1] - pair[0]);
+    gaps.fold(0.0, f64::max)
+}

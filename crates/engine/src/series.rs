@@ -1,0 +1,170 @@
+//! Bodies by series: operators about the circle of their contact, and what is reported of them, without a factorisation.
+//!
+//! Such a body keeps a mesh as the places where fields are shown; nothing is solved on it.
+
+use stickslip_contact::StepRecord;
+use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::body::{BodyBalance, BodyLoad};
+use stickslip_fem_core::material::PlaneStiffness;
+use stickslip_fem_core::mesh::Point;
+use stickslip_series::{Disk, Field, Plate, PolarStress};
+
+pub use stickslip_series::SeriesError;
+
+/// A body by series, ready for contact.
+#[derive(Clone, Debug)]
+pub enum SeriesBody {
+    /// A plate with straight outer edges around a hole.
+    Plate(Box<Plate>),
+    /// A pin.
+    Disk(Box<Disk>),
+}
+
+impl SeriesBody {
+    /// What contact sees of it.
+    pub fn interface(&self) -> &dyn InterfaceOperator {
+        match self {
+            Self::Plate(plate) => plate.as_ref(),
+            Self::Disk(disk) => disk.as_ref(),
+        }
+    }
+
+    /// Real unknowns of its fit and of its contact nodes.
+    pub fn unknowns(&self) -> usize {
+        let fitted = match self {
+            Self::Plate(plate) => plate.fit().columns,
+            Self::Disk(_) => 0,
+        };
+        2 * self.interface().points().len() + fitted
+    }
+
+    /// Largest traction that the fit of the outer edge leaves, relative to the mean one; 0 for a closed form.
+    pub fn residual(&self) -> f64 {
+        match self {
+            Self::Plate(plate) => plate.fit().residual,
+            Self::Disk(_) => 0.0,
+        }
+    }
+
+    /// The field under `state`.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub fn field(&self, state: &BodyLoad<'_>) -> Result<Field, SeriesError> {
+        match self {
+            Self::Plate(plate) => plate.field(state),
+            Self::Disk(disk) => disk.field(state),
+        }
+    }
+
+    /// Stresses at the angles `angles` `[rad]` of its circle under each of `states`, by state and angle.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub(crate) fn edge_stresses(
+        &self,
+        states: &[BodyLoad<'_>],
+        angles: &[f64],
+    ) -> Result<Vec<Vec<PolarStress>>, SeriesError> {
+        match self {
+            Self::Plate(plate) => plate.edge_stresses(states, angles),
+            Self::Disk(disk) => disk.edge_stresses(states, angles),
+        }
+    }
+
+    /// Centre `[mm]` of its circle, and the length by which its turn is divided, the radius `[mm]`.
+    fn circle(&self) -> (Point, f64) {
+        let circle = match self {
+            Self::Plate(plate) => plate.circle(),
+            Self::Disk(disk) => disk.circle(),
+        };
+        (circle.centre, circle.radius)
+    }
+
+    /// Displacements by the `amounts` of its free rigid motions at `places`, x and y of each in turn.
+    pub(crate) fn rigid_displacements(&self, amounts: &[f64], places: &[Point]) -> Vec<f64> {
+        let ([cx, cy], radius) = self.circle();
+        let floats = matches!(self, Self::Plate(_)) || amounts.len() > 1;
+        let [x, y, turn] = match *amounts {
+            [turn] if !floats && self.is_whole() => [0.0, 0.0, turn],
+            [x] => [x, 0.0, 0.0],
+            [x, y, turn] => [x, y, turn],
+            _ => [0.0; 3],
+        };
+        let turn = turn / radius;
+        let at = |[px, py]: &Point| [x - turn * (py - cy), y + turn * (px - cx)];
+        places.iter().flat_map(at).collect()
+    }
+
+    fn is_whole(&self) -> bool {
+        let nodes = match self {
+            Self::Plate(plate) => plate.nodes(),
+            Self::Disk(disk) => disk.nodes(),
+        };
+        !nodes.is_mirrored()
+    }
+
+    /// The balance of contact forces, loads and reactions in the state of `record`, which the series holds by construction: what is left is what
+    /// contact leaves in the body's free motions.
+    pub(crate) fn balance(&self, forces: &[f64], record: &StepRecord) -> BodyBalance {
+        let operator = self.interface();
+        let mut rest = operator
+            .modes()
+            .tr_mul(&nalgebra::DVector::from_column_slice(forces));
+        for (case, &factor) in record.state.multipliers.iter().enumerate() {
+            rest.axpy(factor, operator.mode_load(case), 1.0);
+        }
+        let size = forces.iter().map(|force| force.abs()).sum::<f64>() * 0.5;
+        let left = if size > 0.0 { rest.amax() / size } else { 0.0 };
+        BodyBalance {
+            reaction: self.reaction(forces),
+            reaction_moment: 0.0,
+            force: left,
+            moment: 0.0,
+            nodal: 0.0,
+        }
+    }
+
+    /// What the support at the centre of a held disk takes.
+    fn reaction(&self, forces: &[f64]) -> [f64; 2] {
+        let held = match self {
+            Self::Plate(_) => false,
+            Self::Disk(disk) => disk.modes().ncols() == usize::from(self.is_whole()),
+        };
+        let sum = |axis: usize| forces.iter().skip(axis).step_by(2).sum::<f64>();
+        if held { [-sum(0), -sum(1)] } else { [0.0; 2] }
+    }
+}
+
+/// Stresses (xx, yy, xy) `[MPa]` of `field` at a place of `body`; zero where they have no bound, at the centre of a loaded disk.
+pub(crate) fn stress_at(field: &Field, body: &SeriesBody, place: Point) -> [f64; 3] {
+    let ([cx, cy], _) = body.circle();
+    let PolarStress {
+        radial,
+        hoop,
+        shear,
+    } = field.stress(place).unwrap_or_default();
+    let (sin, cos) = (place[1] - cy).atan2(place[0] - cx).sin_cos();
+    let found = [
+        radial * cos * cos + hoop * sin * sin - 2.0 * shear * sin * cos,
+        radial * sin * sin + hoop * cos * cos + 2.0 * shear * sin * cos,
+        (radial - hoop) * sin * cos + shear * (cos * cos - sin * sin),
+    ];
+    if found.iter().all(|part| part.is_finite()) {
+        found
+    } else {
+        [0.0; 3]
+    }
+}
+
+/// Whether a material of this stiffness is isotropic in the plane.
+pub(crate) fn is_isotropic(d: &PlaneStiffness) -> bool {
+    let (along, cross) = (d[0][0], d[0][1]);
+    let differences = [
+        along - d[1][1],
+        d[0][2],
+        d[1][2],
+        d[2][2] - 0.5 * (along - cross),
+    ];
+    differences.iter().all(|part| part.abs() <= 1e-9 * along)
+}

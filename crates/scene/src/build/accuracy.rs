@@ -1,0 +1,63 @@
+//! What is asked of the accuracy, and models of bodies that contradict the rest of the scene.
+
+use super::Builder;
+use crate::document::child;
+use crate::format::SceneFormat;
+use crate::schema::{Analysis, BodyModel, Substance};
+
+impl Builder<'_> {
+    /// Refuses an accuracy that no run can have, and a budget without one.
+    pub(super) fn demand(&mut self, analysis: &Analysis) {
+        if let Some(accuracy) = analysis.accuracy
+            && !accuracy.is_in_range()
+        {
+            let allowed = "a relative error of at least 1e-8 and at most 50 %";
+            self.out_of_range("analysis.accuracy", &format!("\"{accuracy}\""), allowed);
+        }
+        let Some(budget) = analysis.budget else {
+            return;
+        };
+        if budget.seconds() <= 0.0 {
+            let allowed = "a time above 0 s";
+            self.out_of_range("analysis.budget", &format!("\"{budget}\""), allowed);
+        } else if analysis.accuracy.is_none() {
+            let message = "a budget ends the search for an accuracy, and none is asked for";
+            let remedy = "add analysis.accuracy, for example accuracy = \"1 %\", or remove budget";
+            self.conflict("analysis.budget", message, remedy);
+        }
+    }
+
+    /// Refuses models of bodies that nothing can have, and pins that hold nothing.
+    pub(super) fn models(&mut self, format: &SceneFormat) {
+        let series: Vec<String> = (self.bodies.iter())
+            .filter(|(_, body)| body.model == BodyModel::Series)
+            .map(|(name, _)| name.clone())
+            .collect();
+        let elastic = |name: &String| self.bodies[name].substance != Substance::Rigid;
+        let meshed: Vec<&String> = (self.bodies.keys())
+            .filter(|name| elastic(name) && !series.contains(name))
+            .collect();
+        let idle_mesh = format.mesh.is_some() && !series.is_empty() && meshed.is_empty();
+        let rigid: Vec<String> = (self.bodies.iter())
+            .filter(|(_, body)| body.substance == Substance::Rigid && body.model != BodyModel::Auto)
+            .map(|(name, _)| child(&child("bodies", name), "model"))
+            .collect();
+        for key in rigid {
+            let message = format!("{key} says how a body deforms, and this one is rigid");
+            self.conflict(&key, message, "remove model, or give the body a material");
+        }
+        if idle_mesh {
+            let message = "no body of the scene is divided: model = \"series\" needs no mesh";
+            let remedy = "remove the table mesh, or say model = \"elements\"";
+            self.conflict("mesh", message, remedy);
+        }
+        for name in &series {
+            let (own, model) = (child("bodies", name), "model = \"series\"");
+            if format.bodies[name].mesh.is_some() {
+                let key = child(&own, "mesh");
+                let message = format!("{key} divides a body that {model} leaves whole");
+                self.conflict(&key, message, "remove one of the two");
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! What was counted.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use stickslip::results::Stated;
+
+/// The truth is good to this part of the error that is tested, or the number is undecided.
+const DECIDED: f64 = 0.35;
+/// Errors below this part of the largest value are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// The numbers of all cases.
+#[derive(Default)]
+pub(super) struct Tally {
+    pub(super) shows_misses: bool,
+    rows: BTreeMap<(usize, bool), Row>,
+    asked: BTreeMap<u64, [usize; 3]>,
+    failures: Vec<String>,
+}
+
+#[derive(Default)]
+struct Row {
+    held: usize,
+    missed: usize,
+    undecided: usize,
+    /// Stated over true error.
+    ratios: Vec<f64>,
+    /// True over stated error of those missed.
+    worst: f64,
+}
+
+impl Tally {
+    pub(super) fn new(shows_misses: bool) -> Self {
+        Self {
+            shows_misses,
+            ..Self::default()
+        }
+    }
+
+    /// Counts a number with its stated error, its distance from the truth, and what the truth is good to.
+    pub(super) fn count(&mut self, stated: Stated, unloading: bool, [own, apart, doubt]: [f64; 3]) {
+        let at = Stated::ALL.iter().position(|other| *other == stated);
+        let row = self.rows.entry((at.unwrap_or(0), unloading)).or_default();
+        if apart <= ROUNDING && own <= ROUNDING {
+            return;
+        }
+        if doubt > DECIDED * own.max(apart) {
+            row.undecided += 1;
+            return;
+        }
+        if apart <= own {
+            row.held += 1;
+        } else {
+            row.missed += 1;
+            row.worst = row.worst.max(apart / own.max(f64::MIN_POSITIVE));
+        }
+        row.ratios.push(own / apart.max(f64::MIN_POSITIVE));
+    }
+
+    /// Counts whether the accuracy `asked` was reached and whether the truth lies within.
+    pub(super) fn asked(&mut self, asked: f64, is_reached: bool, is_met: bool) {
+        let counts = self.asked.entry(asked.to_bits()).or_default();
+        counts[0] += 1;
+        counts[1] += usize::from(is_reached);
+        counts[2] += usize::from(is_met);
+    }
+
+    pub(super) fn failed(&mut self, case: usize, why: String) {
+        self.failures.push(format!("case {case}: {why}"));
+    }
+
+    /// Whether the stated errors hold in at least the share `least` of all numbers that are decided.
+    pub(super) fn is_good(&self, least: f64) -> bool {
+        let [held, missed] = self.rows.values().fold([0, 0], |[held, missed], row| {
+            [held + row.held, missed + row.missed]
+        });
+        held as f64 >= least * (held + missed) as f64
+    }
+
+    /// The tables in Markdown.
+    pub(super) fn text(&self, cases: usize, seed: u64) -> String {
+        let mut text = format!("{cases} random pins, seed {seed}.\n\n");
+        text += "| number | steps | within | of | median stated/true | worst miss, true/stated | undecided |\n|---|---|---:|---:|---:|---:|---:|\n";
+        for ((at, unloading), row) in &self.rows {
+            let decided = row.held + row.missed;
+            let share = 100.0 * row.held as f64 / decided.max(1) as f64;
+            let steps = if *unloading { "unloading" } else { "loading" };
+            // Writing into a string does not fail.
+            let _ = writeln!(
+                text,
+                "| {} | {steps} | {share:.1} % | {decided} | {:.2} | {:.1} | {} |",
+                Stated::ALL[*at].describe(),
+                median(&row.ratios),
+                row.worst,
+                row.undecided,
+            );
+        }
+        text += "\n| asked | cases | reached | peak pressure and stress within |\n|---:|---:|---:|---:|\n";
+        for (asked, [cases, reached, met]) in &self.asked {
+            let percent = 100.0 * f64::from_bits(*asked);
+            let _ = writeln!(text, "| {percent} % | {cases} | {reached} | {met} |");
+        }
+        if !self.failures.is_empty() {
+            let _ = writeln!(text, "\nNot solved: {}.", self.failures.len());
+            for failure in self.failures.iter().take(20) {
+                let _ = writeln!(text, "- {failure}");
+            }
+        }
+        text
+    }
+}
+
+fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
+}
