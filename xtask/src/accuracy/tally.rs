@@ -89,9 +89,9 @@ impl Tally {
             // Writing into a string does not fail.
             let _ = writeln!(
                 text,
-                "| {} | {steps} | {share:.1} % | {decided} | {:.2} | {:.1} | {} |",
+                "| {} | {steps} | {share:.1} % | {decided} | {} | {:.1} | {} |",
                 Stated::ALL[*at].describe(),
-                median(&row.ratios),
+                ratio(median(&row.ratios)),
                 row.worst,
                 row.undecided,
             );
@@ -108,6 +108,15 @@ impl Tally {
             }
         }
         text
+    }
+}
+
+/// A ratio, without digits where numbers agree to rounding.
+fn ratio(value: f64) -> String {
+    match value {
+        value if value.is_nan() => "–".to_owned(),
+        value if value > 1e3 => "> 1000".to_owned(),
+        value => format!("{value:.1}"),
     }
 }
 
