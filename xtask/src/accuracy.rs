@@ -63,7 +63,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Box<dyn Error + Send + Syn
         };
         let draw = Draw::new(&mut rng);
         if let Err(why) = compare(&draw, asked, &mut tally) {
-            tally.failed(case, why);
+            tally.failed(case, &why);
         }
     }
     let text = tally.text(count, options.seed);

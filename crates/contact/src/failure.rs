@@ -131,7 +131,7 @@ pub enum FailureCause {
     Geometry {
         /// Passes made.
         passes: usize,
-        /// Change of a gap relative to the largest motion, or of a normal [rad], in the last one.
+        /// Change of a gap relative to the largest motion, or of a normal `[rad]`, in the last one.
         change: f64,
     },
     /// A contact point faces no place on the deformed second edge.

@@ -66,7 +66,7 @@ impl Tally {
         counts[2] += usize::from(is_met);
     }
 
-    pub(super) fn failed(&mut self, case: usize, why: String) {
+    pub(super) fn failed(&mut self, case: usize, why: &str) {
         self.failures.push(format!("case {case}: {why}"));
     }
 

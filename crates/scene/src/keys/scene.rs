@@ -55,7 +55,7 @@ pub(super) const TABLES: &[Table] = &[
         words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`"#, r#""quadratic""#,
             "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \
             contact spreads fastest; later steps are linear"),
-        words("accuracy", r#"percentage or number, 1e-8 to 0.5"#, "`\"1 %\"` without a mesh", r#""0.1 %""#,
+        words("accuracy", "percentage or number, 1e-8 to 0.5", "`\"1 %\"` without a mesh", r#""0.1 %""#,
             "largest relative error that is asked for; bodies and steps are divided until the estimated errors are below it"),
         words("budget", "time", "no limit", r#""10 s""#,
             "time after which no finer model is tried; the result then states the error that it has; needs `accuracy`"),

@@ -141,7 +141,7 @@ impl<'a> Models<'a> {
                 scene.analysis.contact_nodes = Some((INTERVALS[0] << rung) + 1);
             }
             Division::Elements => {
-                (0..rung).for_each(|_| each_mesh(&mut scene, MeshSettings::finer))
+                (0..rung).for_each(|_| each_mesh(&mut scene, MeshSettings::finer));
             }
             Division::Pinned => {
                 for _ in rung..1 {
