@@ -288,20 +288,26 @@ fn zipped(
     one.iter().enumerate().map(edges).collect()
 }
 
-/// The largest relative error of what an accuracy bounds, and what has it.
+/// The largest relative error of what an accuracy bounds, and what has it; of contacts, or where there are none of all edges. Stresses are measured by the larger
+/// of themselves and of the peak pressure, beside which σ_t may vanish.
 fn worst(level: &Level, errors: &Table) -> Option<(f64, Stated)> {
     let mut found: Option<(f64, Stated)> = None;
+    let touches = level.geometries.iter().any(|geometry| geometry.contact);
     for (edge, geometry) in level.geometries.iter().enumerate() {
-        if !geometry.contact {
+        if touches && !geometry.contact {
             continue;
         }
+        let pressures = level.steps.iter();
+        let pressures = pressures.map(|step| Stated::PeakPressure.value(&step[edge]));
+        let pressures: Vec<f64> = pressures.map(|peak| peak.unwrap_or(0.0)).collect();
         for stated in Stated::ASKED {
             let values = level.steps.iter().map(|step| stated.value(&step[edge]));
             let size = |value: Option<f64>| value.map_or(0.0, f64::abs);
             let largest = values.clone().map(size).fold(0.0, f64::max);
-            for (value, errors) in values.zip(errors) {
+            for ((value, errors), pressure) in values.zip(errors).zip(&pressures) {
                 let scale = match stated {
                     Stated::FrictionForce => largest,
+                    Stated::PeakHoop => size(value).max(SMALL * largest).max(*pressure),
                     _ => size(value).max(SMALL * largest),
                 };
                 let error = errors.get(edge).and_then(|own| own.get(stated));

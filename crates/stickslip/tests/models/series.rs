@@ -270,3 +270,37 @@ fn a_mesh_of_the_scene_is_kept_and_its_errors_are_stated() {
         assert!(apart.abs() <= edge.errors.get(stated).unwrap());
     }
 }
+
+/// The scene at `path` without its mesh.
+fn without_mesh(path: &str) -> String {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../").to_owned() + path;
+    let text = std::fs::read_to_string(path).unwrap();
+    let from = text.find("[mesh]").unwrap();
+    let to = from + text[from..].find("\n\n").unwrap();
+    text[..from].to_owned() + &text[to..]
+}
+
+/// Howland's strip with d/W = 0.5, σ_θ = 4.347599 of the far stress (solved anew, scenes/open-hole.toml).
+#[test]
+fn an_open_hole_reaches_its_accuracy_by_an_estimate() {
+    let text = without_mesh("scenes/open-hole.toml");
+    for accuracy in ["1 %", "0.01 %"] {
+        let found = solved(&text, &[&format!("analysis.accuracy=\"{accuracy}\"")]);
+        let ladder = found.ladder.as_ref().unwrap();
+        let error = ladder.rungs.last().and_then(|rung| rung.error);
+        let (error, of) = error.unwrap();
+        assert_eq!((ladder.end, of), (LadderEnd::Reached, Stated::PeakHoop));
+        assert!(error <= ladder.asked.unwrap());
+        let edge = &found.steps[0].edges[0];
+        let apart = edge.peak_hoop.unwrap().0 - 434.7599;
+        assert!(apart.abs() <= edge.errors.get(of).unwrap(), "{apart:e}");
+    }
+}
+
+/// Beside a frictionless line contact σ_xx is nearly nothing, and relative to itself never accurate.
+#[test]
+fn a_stress_that_vanishes_does_not_decide() {
+    let text = without_mesh("crates/scene/src/templates/hertz.toml");
+    let found = solved(&text, &["output.figures=false", "output.fields=none"]);
+    assert_eq!(found.ladder.unwrap().end, LadderEnd::Reached);
+}
