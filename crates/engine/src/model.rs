@@ -306,7 +306,7 @@ impl Model {
         };
         let bodies = ends.enumerate().map(body);
         let bodies = bodies.collect::<Result<Vec<_>, ModelError>>()?;
-        choices.push(kinematics(plan.analysis.kinematics));
+        choices.push(kinematics(&plan));
         let model = Self {
             host: scene.host(),
             pairs: contacts.pairs,
@@ -333,11 +333,11 @@ impl Model {
         operators: &[&'a dyn InterfaceOperator],
     ) -> Result<Kinematics<'a>, ContactError> {
         Ok(match self.request.analysis.kinematics {
-            KinematicsChoice::Small => Kinematics::Small,
-            KinematicsChoice::DeformedGaps => {
+            Some(KinematicsChoice::DeformedGaps) => {
                 let gaps = DeformedGaps::new(operators, &self.pairs, &self.facings)?;
                 Kinematics::DeformedGaps(gaps)
             }
+            Some(KinematicsChoice::Small | KinematicsChoice::Auto) | None => Kinematics::Small,
         })
     }
 
@@ -384,18 +384,19 @@ fn known_of_contacts(plan: &Plan<'_>, half: bool) -> Vec<ModelContact> {
     plan.contacts.iter().map(known).collect()
 }
 
-fn kinematics(choice: KinematicsChoice) -> Choice {
-    let (value, reason) = match choice {
-        KinematicsChoice::Small => (
-            "small displacement",
-            "contact is found on the undeformed geometry; on the deformed one (analysis.kinematics = \"deformed-gaps\") a conforming pin's \
-             peak pressure differs by a few tenths of a percent",
-        ),
-        KinematicsChoice::DeformedGaps => (
+fn kinematics(plan: &Plan<'_>) -> Choice {
+    let (value, reason) = if plan.finds_gaps_deformed() {
+        (
             "deformed gaps",
             "the scene says so; gaps, normals and closest points follow the displacement, bodies are linear, and tractions are forces per \
              undeformed area; resultants and balances take deformed normals and closest points at their undeformed places",
-        ),
+        )
+    } else {
+        (
+            "small displacement",
+            "contact is found on the undeformed geometry; on the deformed one (analysis.kinematics = \"deformed-gaps\") a conforming pin's \
+             peak pressure differs by a few tenths of a percent",
+        )
     };
     Choice {
         what: "kinematics".into(),

@@ -10,8 +10,8 @@ use crate::document::{Document, Part};
 use crate::host::Host;
 use crate::limits::Limits;
 use crate::schema::{
-    Analysis, Body, Contact, DisplayUnits, Failure, Load, Material, MeshSettings, Output, Platen,
-    SetRef, Support,
+    Analysis, Body, Contact, DisplayUnits, Failure, KinematicsChoice, Load, Material, MeshSettings,
+    Output, Platen, SetRef, Support,
 };
 
 /// Version of the scene format that this program reads.
@@ -92,9 +92,23 @@ impl Scene {
         self.bodies.keys().any(|name| self.divides(name))
     }
 
-    /// Whether models are tried until their errors meet what is asked: with an accuracy, and without a mesh.
+    /// Whether models are tried until their errors meet what is asked: with an accuracy, without a mesh, and where the kinematics are chosen.
     pub fn seeks_accuracy(&self) -> bool {
-        self.analysis.accuracy.is_some() || !self.is_divided_anywhere()
+        let analysis = &self.analysis;
+        analysis.accuracy.is_some()
+            || !self.is_divided_anywhere()
+            || analysis.kinematics == Some(KinematicsChoice::Auto)
+    }
+
+    /// On which geometry contact is found; left to the program where the division of bodies is, and the undeformed one otherwise.
+    pub fn kinematics(&self) -> KinematicsChoice {
+        let is_free = !self.is_divided_anywhere() && self.analysis.contact_nodes.is_none();
+        let default = if is_free {
+            KinematicsChoice::Auto
+        } else {
+            KinematicsChoice::Small
+        };
+        self.analysis.kinematics.unwrap_or(default)
     }
 
     /// Whether the file or an override gives `key`, in full: "analysis.substeps".

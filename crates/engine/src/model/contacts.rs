@@ -16,7 +16,7 @@ use self::projection::{Side, Tied};
 use super::plan::{ContactPlan, Placed, Plan};
 use super::{Meshes, ModelEdge, ModelError, loads};
 use crate::results::Choice;
-use stickslip_scene::schema::{Contact, DisplayUnits, KinematicsChoice, SetRef};
+use stickslip_scene::schema::{Contact, DisplayUnits, SetRef};
 
 /// Pairs, edges, and each body's contact points.
 #[derive(Debug, Default)]
@@ -112,7 +112,7 @@ impl Contacts {
             material_angle: body.material_angle(),
         };
         let (points, chosen) = tied.tie(&above, &below)?;
-        if plan.analysis.kinematics == KinematicsChoice::DeformedGaps {
+        if plan.finds_gaps_deformed() {
             let facing = tied.facing(self.pairs.len(), [&above, &below], &points)?;
             self.facings.push(facing);
         }

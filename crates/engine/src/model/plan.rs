@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_scene::schema::{
-    self, Analysis, Contact, Division, Hold, Load, LoadKind, MeshSettings, Platen, SetRef,
-    Substance, Support,
+    self, Analysis, Contact, Division, Hold, KinematicsChoice, Load, LoadKind, MeshSettings,
+    Platen, SetRef, Substance, Support,
 };
 use stickslip_scene::shape::{Edge, Shape};
 use stickslip_scene::{Scene, placement};
@@ -97,6 +97,11 @@ impl<'a> Plan<'a> {
             loads: scene.loads.iter().map(load).collect(),
             edges: scene.edges.iter().map(|on| names.placed(on, on)).collect(),
         }
+    }
+
+    /// Whether contact is found on the deformed geometry.
+    pub(super) fn finds_gaps_deformed(&self) -> bool {
+        self.analysis.kinematics == Some(KinematicsChoice::DeformedGaps)
     }
 
     pub(super) fn is_rigid(&self, body: usize) -> bool {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use stickslip_fem_core::mesh::{Curve, Mesh, MeshError};
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{
-    Analysis, Axes, Axis, Control, DisplayUnits, Failure, FieldOutput, Hold, KinematicsChoice,
-    LaminateSheet, Progressive, SetRef, Support,
+    Analysis, Axes, Axis, Control, DisplayUnits, Failure, FieldOutput, Hold, LaminateSheet,
+    Progressive, SetRef, Support,
 };
 use stickslip_scene::shape::Role;
 
@@ -129,7 +129,7 @@ impl FailureRequest {
                 loads::frame(plan, &SetRef { body, set }, half)
             });
             let progressive = settings.progressive.as_ref();
-            if progressive.is_some() && plan.analysis.kinematics != KinematicsChoice::Small {
+            if progressive.is_some() && plan.finds_gaps_deformed() {
                 return Err(ModelError::Unsupported {
                     key: "analysis.kinematics".into(),
                     what: "progressive failure is followed with gaps on the undeformed geometry: say analysis.kinematics = \"small\", or leave \

@@ -7,14 +7,17 @@
 //! error = k max(|v_h − v_2h|, |v_2h − v_4h|/2) + |v_Δ − v_2Δ| r/(1 − r),     r = |v_Δ − v_2Δ|/|v_2Δ − v_4Δ| between ½ and ⅘
 //! ```
 //!
+//! where the geometry is left to the program, and contact is found on the undeformed one, the difference that deformed gaps make on a coarse model is added.
 //! k depends on the number, [`factor`]. docs/accuracy.md shows how often the truth lies within.
 
+mod geometry;
 mod models;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::Accuracy;
+use stickslip_scene::schema::{Accuracy, KinematicsChoice};
 
+use self::geometry::Geometry;
 use self::models::{Division, Level, Models};
 use super::{Progress, RunError, results};
 use crate::results::{EdgeResults, Errors, Ladder, LadderEnd, Results, Rung, Stated};
@@ -25,6 +28,8 @@ const INCREMENTS: usize = 64;
 const SMALL: f64 = 1e-3;
 /// The increments may take this part of what is asked.
 const PATH_SHARE: f64 = 0.5;
+/// The undeformed geometry may take this part of what is asked.
+const GEOMETRY_SHARE: f64 = 0.3;
 /// A finer model takes about so many times as long as the last one.
 const GROWTH: f64 = 4.0;
 
@@ -57,11 +62,12 @@ pub(super) fn climb(
         scene,
         models,
     };
-    let (base, path) = climb.increments(progress)?;
+    let (base, model) = climb.kinematics(progress)?;
+    let (base, path) = climb.increments(base, progress)?;
     let coarse = climb.models.level(base.rung - 1, base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
-        let errors = sum(&division_errors(&levels), &path);
+        let errors = sum(&sum(&division_errors(&levels), &path), &model.errors);
         let end = climb.end(&levels, &errors);
         let last = levels
             .last()
@@ -72,7 +78,10 @@ pub(super) fn climb(
         };
         match next {
             Some(level) => levels.push(level),
-            None => return climb.finish(levels, errors, end.unwrap_or(LadderEnd::Finest)),
+            None => {
+                let end = end.unwrap_or(LadderEnd::Finest);
+                return climb.finish(levels, errors, &model, end);
+            }
         }
     }
 }
@@ -86,14 +95,49 @@ struct Climb<'a> {
 }
 
 impl Climb<'_> {
-    /// A model whose increments are fine enough, with the error that they leave.
-    fn increments(
+    /// The first model, on the geometry that the accuracy needs.
+    fn kinematics(
         &mut self,
         progress: &mut dyn FnMut(Progress),
-    ) -> Result<(Level, Table), RunError> {
+    ) -> Result<(Level, Geometry), RunError> {
         let substeps = self.scene.analysis.substeps;
-        let mut base = self.models.level(1, substeps, progress)?;
-        self.record(&base, None);
+        let is_auto = self.models.kinematics == KinematicsChoice::Auto;
+        if is_auto {
+            self.models.kinematics = KinematicsChoice::Small;
+        }
+        let small = self.models.level(1, substeps, progress)?;
+        self.record(&small, None);
+        if !is_auto || small.model.pairs.is_empty() {
+            return Ok((small, Geometry::default()));
+        }
+        self.models.kinematics = KinematicsChoice::DeformedGaps;
+        let deformed = self.models.level(1, substeps, progress);
+        self.models.kinematics = KinematicsChoice::Small;
+        let deformed = match deformed {
+            Ok(deformed) => deformed,
+            Err(why) => return Ok((small, Geometry::unknown(&why))),
+        };
+        self.record(&deformed, None);
+        let errors = difference(&deformed, &small);
+        let worst = worst(&small, &errors);
+        let asked = self.asked.unwrap_or(Accuracy::DEFAULT.share());
+        let matters = worst.is_some_and(|(error, _)| error > GEOMETRY_SHARE * asked);
+        let reason = Geometry::reason(worst, matters);
+        Ok(if matters {
+            self.models.kinematics = KinematicsChoice::DeformedGaps;
+            let errors = Table::new();
+            (deformed, Geometry { errors, reason })
+        } else {
+            (small, Geometry { errors, reason })
+        })
+    }
+
+    /// A model whose increments are fine enough, with the error that they leave; `base` is the first one.
+    fn increments(
+        &mut self,
+        mut base: Level,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<(Level, Table), RunError> {
         if !base.rubs() {
             return Ok((base, Table::new()));
         }
@@ -170,6 +214,7 @@ impl Climb<'_> {
         self,
         mut levels: Vec<Level>,
         errors: Table,
+        geometry: &Geometry,
         end: LadderEnd,
     ) -> Result<Results, RunError> {
         let Some(last) = levels.pop() else {
@@ -181,6 +226,7 @@ impl Climb<'_> {
                 *edge = EdgeResults { errors, ..fitted };
             }
         }
+        geometry.explain(&mut found);
         found.ladder = Some(Ladder {
             asked: self.asked,
             rungs: self.rungs,

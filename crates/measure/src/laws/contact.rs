@@ -53,7 +53,7 @@ impl ContactModel {
         let pair = own.contact().ok_or_else(|| LawsError::NoContact {
             edge: format!("{}.{}", own.body, own.edge),
         })?;
-        if scene.analysis.kinematics != KinematicsChoice::Small {
+        if scene.kinematics() != KinematicsChoice::Small {
             return Err(RunError::from(ModelError::Unsupported {
                 key: "analysis.kinematics".into(),
                 what: "friction laws are fitted with gaps on the undeformed geometry: say analysis.kinematics = \"small\" in the scene"

@@ -13,10 +13,9 @@ pub struct Analysis {
     pub plane: PlaneState,
     /// Half or whole model.
     pub model: ModelChoice,
-    /// On which geometry contact is found.
-    // Left out where it is small, so that it is no part of other scenes.
-    #[serde(skip_serializing_if = "KinematicsChoice::is_small")]
-    pub kinematics: KinematicsChoice,
+    /// On which geometry contact is found, where the scene says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kinematics: Option<KinematicsChoice>,
     /// Solver of the contact problem.
     #[serde(with = "solver_name")]
     pub solver: SolverChoice,
@@ -44,7 +43,7 @@ impl Default for Analysis {
         Self {
             plane: PlaneState::Stress,
             model: ModelChoice::Auto,
-            kinematics: KinematicsChoice::Small,
+            kinematics: None,
             solver: SolverChoice::Auto,
             experimental: false,
             substeps: 1,
@@ -76,16 +75,8 @@ pub enum KinematicsChoice {
     Small,
     /// The deformed one, between linear bodies.
     DeformedGaps,
-}
-
-impl KinematicsChoice {
-    #[expect(
-        clippy::trivially_copy_pass_by_ref,
-        reason = "serde hands over references"
-    )]
-    fn is_small(&self) -> bool {
-        *self == Self::Small
-    }
+    /// The deformed one where that matters to the accuracy that is asked for.
+    Auto,
 }
 
 pub use stickslip_contact::SolverKind as SolverChoice;

@@ -2,7 +2,7 @@
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::MeshSettings;
+use stickslip_scene::schema::{KinematicsChoice, MeshSettings};
 
 use crate::model::Model;
 use crate::results::{EdgeGeometry, EdgeResults, Errors};
@@ -59,6 +59,8 @@ pub(super) struct Models<'a> {
     scene: &'a Scene,
     solver: &'a dyn InterfaceSolver,
     division: Division,
+    /// On which geometry contact is found.
+    pub(super) kinematics: KinematicsChoice,
 }
 
 impl<'a> Models<'a> {
@@ -76,6 +78,7 @@ impl<'a> Models<'a> {
             scene,
             solver,
             division,
+            kinematics: scene.kinematics(),
         })
     }
 
@@ -136,6 +139,7 @@ impl<'a> Models<'a> {
     fn scene_of(&self, rung: usize, substeps: usize) -> (Scene, String) {
         let mut scene = self.scene.clone();
         scene.analysis.substeps = substeps;
+        scene.analysis.kinematics = Some(self.kinematics);
         match self.division {
             Division::Series => {
                 scene.analysis.contact_nodes = Some((INTERVALS[0] << rung) + 1);
@@ -152,7 +156,7 @@ impl<'a> Models<'a> {
                 }
             }
         }
-        let division = match scene.analysis.contact_nodes {
+        let mut division = match scene.analysis.contact_nodes {
             Some(count) => format!("series, {count} nodes on half a circle"),
             None => format!(
                 "{} cells, {}",
@@ -160,6 +164,9 @@ impl<'a> Models<'a> {
                 scene.mesh.division
             ),
         };
+        if self.kinematics == KinematicsChoice::DeformedGaps {
+            division += ", deformed gaps";
+        }
         (scene, division)
     }
 }

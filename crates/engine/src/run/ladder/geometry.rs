@@ -1,0 +1,50 @@
+//! What a ladder finds out about the geometry on which contact is found.
+
+use super::Table;
+use crate::results::{Results, Stated};
+use crate::run::RunError;
+
+/// The geometry that was chosen, where it was left to the program.
+#[derive(Default)]
+pub(super) struct Geometry {
+    /// What the deformed geometry would change, where contact is found on the undeformed one.
+    pub(super) errors: Table,
+    /// Why it was chosen, as the reason of a choice; empty where the scene chose.
+    pub(super) reason: String,
+}
+
+impl Geometry {
+    /// The undeformed geometry, because of `why` nothing is known of the deformed one.
+    pub(super) fn unknown(why: &RunError) -> Self {
+        Self {
+            errors: Table::new(),
+            reason: format!("no error states what deformed gaps would change: {why}"),
+        }
+    }
+
+    /// Why a geometry is chosen, by the largest change that the deformed one makes.
+    pub(super) fn reason(worst: Option<(f64, Stated)>, matters: bool) -> String {
+        let Some((error, stated)) = worst else {
+            return "deformed gaps change no number that an accuracy bounds".into();
+        };
+        let changes = format!(
+            "deformed gaps change the {} by {:.2} %",
+            stated.describe(),
+            100.0 * error
+        );
+        if matters {
+            format!("{changes}, which matters to the accuracy")
+        } else {
+            format!("{changes}, which the stated errors contain")
+        }
+    }
+
+    /// Puts the reason among the choices of `found`.
+    pub(super) fn explain(&self, found: &mut Results) {
+        let mut choices = found.choices.iter_mut();
+        let choice = choices.find(|choice| choice.what == "kinematics");
+        if let Some(choice) = choice.filter(|_| !self.reason.is_empty()) {
+            choice.reason.clone_from(&self.reason);
+        }
+    }
+}
