@@ -7,7 +7,7 @@ use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::body::{BodyBalance, BodyLoad};
 use stickslip_fem_core::material::PlaneStiffness;
 use stickslip_fem_core::mesh::Point;
-use stickslip_series::{Disk, Field, Plate, PolarStress};
+use stickslip_series::{Disk, Field, Nodes, Plate, PolarStress};
 
 pub use stickslip_series::SeriesError;
 
@@ -96,12 +96,16 @@ impl SeriesBody {
         places.iter().flat_map(at).collect()
     }
 
-    fn is_whole(&self) -> bool {
-        let nodes = match self {
+    /// Its contact nodes.
+    pub(crate) fn nodes(&self) -> &Nodes {
+        match self {
             Self::Plate(plate) => plate.nodes(),
             Self::Disk(disk) => disk.nodes(),
-        };
-        !nodes.is_mirrored()
+        }
+    }
+
+    fn is_whole(&self) -> bool {
+        !self.nodes().is_mirrored()
     }
 
     /// The balance of contact forces, loads and reactions in the state of `record`, which the series holds by construction: what is left is what

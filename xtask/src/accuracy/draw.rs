@@ -6,6 +6,8 @@ use rand::rngs::StdRng;
 /// A scene without a mesh.
 pub(super) struct Draw {
     pub(super) text: String,
+    /// Whether the program chooses the geometry on which contact is found.
+    pub(super) chooses_kinematics: bool,
 }
 
 impl Draw {
@@ -31,6 +33,8 @@ impl Draw {
         let young = 70.0 * 10.0_f64.powf(rng.random_range(-0.3..0.7));
         let poisson = rng.random_range(0.1..0.45);
         let law = law(rng);
+        let chooses_kinematics = rng.random_bool(0.2);
+        let kinematics = if chooses_kinematics { "auto" } else { "small" };
         let steps = steps(rng);
         let loads = if rng.random_bool(0.15) {
             let part = rng.random_range(0.2..1.0);
@@ -48,10 +52,12 @@ impl Draw {
         let [half_width, left, right] = outline;
         let (rim, interference) = (radius - gap, gap < 0.0);
         Self {
+            chooses_kinematics,
             text: format!(
                 r#"version = 1
 [analysis]
 plane = "{plane}"
+kinematics = "{kinematics}"
 [materials.plate.isotropic]
 young = "70 GPa"
 poisson = 0.33

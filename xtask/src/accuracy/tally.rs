@@ -24,6 +24,8 @@ struct Row {
     held: usize,
     missed: usize,
     undecided: usize,
+    /// Without a limit, and so without an error.
+    without: usize,
     /// Stated over true error.
     ratios: Vec<f64>,
     /// True over stated error of those missed.
@@ -38,10 +40,19 @@ impl Tally {
         }
     }
 
+    /// Counts a number for which no error is stated.
+    pub(super) fn without(&mut self, stated: Stated, unloading: bool) {
+        self.row(stated, unloading).without += 1;
+    }
+
+    fn row(&mut self, stated: Stated, unloading: bool) -> &mut Row {
+        let at = Stated::ALL.iter().position(|other| *other == stated);
+        self.rows.entry((at.unwrap_or(0), unloading)).or_default()
+    }
+
     /// Counts a number with its stated error, its distance from the truth, and what the truth is good to.
     pub(super) fn count(&mut self, stated: Stated, unloading: bool, [own, apart, doubt]: [f64; 3]) {
-        let at = Stated::ALL.iter().position(|other| *other == stated);
-        let row = self.rows.entry((at.unwrap_or(0), unloading)).or_default();
+        let row = self.row(stated, unloading);
         if apart <= ROUNDING && own <= ROUNDING {
             return;
         }
@@ -81,7 +92,7 @@ impl Tally {
     /// The tables in Markdown.
     pub(super) fn text(&self, cases: usize, seed: u64) -> String {
         let mut text = format!("{cases} random pins, seed {seed}.\n\n");
-        text += "| number | steps | within | of | median stated/true | worst miss, true/stated | undecided |\n|---|---|---:|---:|---:|---:|---:|\n";
+        text += "| number | steps | within | of | median stated/true | worst miss, true/stated | undecided | no error |\n|---|---|---:|---:|---:|---:|---:|---:|\n";
         for ((at, unloading), row) in &self.rows {
             let decided = row.held + row.missed;
             let share = 100.0 * row.held as f64 / decided.max(1) as f64;
@@ -89,11 +100,12 @@ impl Tally {
             // Writing into a string does not fail.
             let _ = writeln!(
                 text,
-                "| {} | {steps} | {share:.1} % | {decided} | {} | {:.1} | {} |",
+                "| {} | {steps} | {share:.1} % | {decided} | {} | {:.1} | {} | {} |",
                 Stated::ALL[*at].describe(),
                 ratio(median(&row.ratios)),
                 row.worst,
                 row.undecided,
+                row.without,
             );
         }
         text += "\n| asked | cases | reached | peak pressure and stress within |\n|---:|---:|---:|---:|\n";

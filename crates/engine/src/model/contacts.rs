@@ -108,6 +108,10 @@ impl Contacts {
             contact,
             geometry: &geometry,
             half,
+            means: body
+                .series
+                .as_ref()
+                .map(|series| series.nodes().mean_angles()),
             thickness: body.thickness(),
             material_angle: body.material_angle(),
         };

@@ -165,6 +165,13 @@ pub enum ContactFinding {
         /// Fewest nodes of a part of the contact.
         nodes: usize,
     },
+    /// Numbers of it grow with every finer division and have no limit, so that no error is stated.
+    NoLimit {
+        /// Load steps with such numbers.
+        steps: Vec<usize>,
+        /// What they are.
+        numbers: Vec<&'static str>,
+    },
     /// Its pressures node by node are not unique, because the first body has more nodes than the soft second one can follow.
     RipplingPressures {
         /// First and second body.

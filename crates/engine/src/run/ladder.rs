@@ -1,16 +1,19 @@
 //! The ladder: finer and finer models of a scene until the estimated errors meet what is asked.
 //!
-//! Errors have two parts, that of the division and that of the load path. A number v of a model with spacing h is compared with that of the
-//! models with 2h and 4h, and that of increments Δ, on a coarse model, with those of 2Δ and 4Δ:
+//! Errors have three parts: that of the [`division`], that of the load path, and where the geometry is left to the program and contact is found on the
+//! undeformed one, the difference that deformed gaps make on a coarse model. A number v of increments Δ is compared, on a coarse model, with those of
+//! 2Δ and 4Δ:
 //!
 //! ```text
-//! error = k max(|v_h − v_2h|, |v_2h − v_4h|/2) + |v_Δ − v_2Δ| r/(1 − r),     r = |v_Δ − v_2Δ|/|v_2Δ − v_4Δ| between ½ and ⅘
+//! error = |v_Δ − v_2Δ| r/(1 − r),     r = |v_Δ − v_2Δ|/|v_2Δ − v_4Δ| between ½ and ⅘
 //! ```
 //!
-//! where the geometry is left to the program, and contact is found on the undeformed one, the difference that deformed gaps make on a coarse model is added.
-//! k depends on the number, [`factor`]. docs/accuracy.md shows how often the truth lies within.
+//! docs/accuracy.md shows how often the truth lies within.
 
+mod division;
 mod geometry;
+mod grading;
+mod limits;
 mod models;
 
 use stickslip_contact::InterfaceSolver;
@@ -35,8 +38,6 @@ const GROWTH: f64 = 4.0;
 
 /// The error that increments leave is at most so many times the change that halving them last made.
 const SLOWEST: f64 = 4.0;
-/// Of two estimates of an error the smaller one counts, but at least this part of the larger one.
-const LEAST: f64 = 0.1;
 
 /// Errors per step, edge and number.
 type Table = Vec<Vec<Errors>>;
@@ -67,22 +68,24 @@ pub(super) fn climb(
     let coarse = climb.models.level(base.rung - 1, base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
-        let errors = sum(&sum(&division_errors(&levels), &path), &model.errors);
+        let errors = sum(
+            &sum(&division::errors(&levels, climb.models.is_graded()), &path),
+            &model.errors,
+        );
         let end = climb.end(&levels, &errors);
-        let last = levels
-            .last()
-            .map_or((0, 1), |last| (last.rung + 1, last.substeps));
-        let next = match end {
-            None => climb.models.level(last.0, last.1, progress).ok(),
-            Some(_) => None,
-        };
-        match next {
-            Some(level) => levels.push(level),
-            None => {
-                let end = end.unwrap_or(LadderEnd::Finest);
-                return climb.finish(levels, errors, &model, end);
+        let next = match (end, levels.last()) {
+            (None, Some(last)) => {
+                let rung = last.rung + 1;
+                climb.models.grade(last, rung);
+                climb.models.level(rung, last.substeps, progress).ok()
             }
-        }
+            _ => None,
+        };
+        let Some(level) = next else {
+            let end = end.unwrap_or(LadderEnd::Finest);
+            return climb.finish(levels, errors, &model, end);
+        };
+        levels.push(level);
     }
 }
 
@@ -104,6 +107,9 @@ impl Climb<'_> {
         let is_auto = self.models.kinematics == KinematicsChoice::Auto;
         if is_auto {
             self.models.kinematics = KinematicsChoice::Small;
+        } else if self.models.is_graded() {
+            let coarse = self.models.level(0, substeps, progress)?;
+            self.models.grade(&coarse, 1);
         }
         let small = self.models.level(1, substeps, progress)?;
         self.record(&small, None);
@@ -128,7 +134,13 @@ impl Climb<'_> {
             let errors = Table::new();
             (deformed, Geometry { errors, reason })
         } else {
-            (small, Geometry { errors, reason })
+            self.models.grade(&small, 1);
+            let base = if self.models.is_graded() {
+                self.models.level(1, substeps, progress)?
+            } else {
+                small
+            };
+            (base, Geometry { errors, reason })
         })
     }
 
@@ -220,7 +232,9 @@ impl Climb<'_> {
         let Some(last) = levels.pop() else {
             return super::run_with(self.scene, self.models.solver(), &mut |_| {});
         };
+        let unlimited = limits::findings(&last, &errors);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
+        found.findings.extend(unlimited);
         for ((step, fitted), errors) in found.steps.iter_mut().zip(last.steps).zip(errors) {
             for ((edge, fitted), errors) in step.edges.iter_mut().zip(fitted).zip(errors) {
                 *edge = EdgeResults { errors, ..fitted };
@@ -236,16 +250,6 @@ impl Climb<'_> {
     }
 }
 
-/// k of the module's equation: how many times the difference of two models the error of the finer one is at most.
-fn factor(stated: Stated) -> f64 {
-    match stated {
-        Stated::PeakPressure | Stated::FrictionForce | Stated::NormalForce | Stated::Bearing => 1.0,
-        Stated::HoopAtBearing | Stated::ContactExtent => 1.5,
-        Stated::PeakHoop => 2.5,
-        Stated::StickExtent | Stated::PeakPressurePlace | Stated::PeakHoopPlace => 2.0,
-    }
-}
-
 /// What increments leave of a number, by the change that halving them makes and the change of the halving before: the sum of the geometric series that goes on at the
 /// rate of these two, between that of first order and that of [`SLOWEST`].
 fn path_error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
@@ -255,47 +259,6 @@ fn path_error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
     // Equal numbers have no rate.
     let rate = if rate.is_finite() { rate } else { slowest };
     Some(change * rate / (1.0 - rate))
-}
-
-/// What the division leaves, by the last two or three of `levels`.
-fn division_errors(levels: &[Level]) -> Table {
-    let [.., coarse, fine] = levels else {
-        return Table::new();
-    };
-    let last = difference(fine, coarse);
-    let before = match levels {
-        [.., coarser, coarse, _] => difference(coarse, coarser),
-        _ => Table::new(),
-    };
-    let get =
-        |table: &Table, step: usize, edge: usize, stated| table.get(step)?.get(edge)?.get(stated);
-    let edges = |step: usize| {
-        let own = fine.spacings.iter().enumerate();
-        own.map(|(edge, spacing)| {
-            Errors::of(|stated| {
-                let own = get(&fine.fitted, step, edge, stated);
-                let change = get(&last, step, edge, stated)?;
-                let before = get(&before, step, edge, stated);
-                let change = before.map_or(change, |before| change.max(0.5 * before));
-                let least = if stated.is_of_nodes() {
-                    0.5 * spacing
-                } else {
-                    0.0
-                };
-                let by_models = factor(stated) * change;
-                Some(match (own, before) {
-                    // A fit cannot resolve zones of a few nodes, where three models show how far it is off.
-                    (Some(own), Some(_)) => {
-                        own.max(LEAST * by_models).min(by_models.max(LEAST * own))
-                    }
-                    (Some(own), None) => own.max(by_models),
-                    (None, _) => by_models.max(least),
-                })
-            })
-        })
-        .collect()
-    };
-    (0..fine.steps.len()).map(edges).collect()
 }
 
 /// The differences of the numbers of two levels.

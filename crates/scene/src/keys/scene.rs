@@ -39,9 +39,10 @@ pub(super) const TABLES: &[Table] = &[
             "half: y ≥ 0 of round shapes, x ≥ 0 of a line contact; auto takes it where shapes, materials, supports, platens, \
             loads and friction laws are symmetric and it has all `edges`; half is refused where they are not; a rectangle has \
             no half"),
-        words("kinematics", r#"`"small"`, `"deformed-gaps"`"#, r#"`"small"`"#, r#""deformed-gaps""#,
+        words("kinematics", r#"`"small"`, `"deformed-gaps"`, `"auto"`"#, r#"`"small"` with a mesh, `"auto"` without"#, r#""deformed-gaps""#,
             "small: contact is found on the undeformed geometry; deformed-gaps: gaps, normals and closest points follow the displacement, \
-            between linear bodies, for exact gaps and matching meshes; not for progressive failure and experiments"),
+            between linear bodies, for exact gaps and matching meshes; not for progressive failure and experiments; auto: deformed-gaps where it \
+            changes more than three tenths of the accuracy, otherwise small with the change among the errors"),
         names("solver", solvers,
             r#"`"auto"`"#, r#""pivoting""#,
             "auto and newton: semismooth Newton, then pivoting where it fails; status: iteration of statuses before these \
@@ -52,9 +53,9 @@ pub(super) const TABLES: &[Table] = &[
             (enumeration, Tresca)"),
         integer("substeps", "`1`", "4",
             "equal sub-steps of every load step; one that fails is halved by itself").range(counts(1, 100_000)),
-        words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`"#, r#""quadratic""#,
-            "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \
-            contact spreads fastest; later steps are linear"),
+        words("ramp", r#"`"linear"`, `"quadratic"`, `"graded"`"#, r#"`"linear"`, `"graded"` where increments are chosen"#, r#""quadratic""#,
+            "load at sub-step k of n in the first load step, from nothing to its value P: P k/n; P (k/n)², finer where \
+            contact spreads fastest; or P k/n with the first sub-step halved eight times towards nothing; later steps are linear"),
         words("accuracy", "percentage or number, 1e-8 to 0.5", "`\"1 %\"` without a mesh", r#""0.1 %""#,
             "largest relative error that is asked for; bodies and steps are divided until the estimated errors are below it"),
         words("budget", "time", "no limit", r#""10 s""#,

@@ -112,6 +112,10 @@ fn of_a_contact() -> Vec<Finding> {
             steps: steps(),
             nodes: 1,
         },
+        ContactFinding::NoLimit {
+            steps: steps(),
+            numbers: vec!["peak pressure", "peak tangential stress"],
+        },
         ContactFinding::RipplingPressures {
             bodies: bodies(),
             nodes: [30, 10],
@@ -176,6 +180,7 @@ fn sentences_hold_steps_parts_and_display_units() {
         "Forces balance to 2.8e-7 of the load only in load step 2–4, 7, where 1e-8 is usual:",
         "Body 'pin' can slide freely: its translation and CSLIP1 on 'a', 'b' and 'c' are not unique.",
         "Contact 'pin': 'plate' is 1 in thick and 'pin' 2 in.",
+        "No error is stated for the peak pressure and the peak tangential stress of contact 'pin' in load step 2, 5: friction jumps",
         "Contact 'pin' ends at x = -1 in in load step 2, beyond the fine part of its mesh, which ends at ±0.5 in:",
         "The bearing point of contact 'pin' wanders: it is at θ = −28.6° in load step 2 and at θ = 180.0° in load step 3, where the contact force is largest. Angles φ are counted from the latter;",
         "crack_band.fibre_tension has no effect on this mesh: it lowers strengths in rows of points wider than 1 in, that is in cells larger than 2 in; the largest cell has 0.5 in.",

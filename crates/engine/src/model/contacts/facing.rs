@@ -2,6 +2,7 @@
 
 use stickslip_contact::deformed::{Curve, CurveEnds};
 use stickslip_contact::{ContactPoint, Facing, Stencil};
+use stickslip_fem_core::mesh::Point;
 
 use super::projection::{Side, Tied};
 use crate::model::ModelError;
@@ -50,10 +51,24 @@ impl Tied<'_> {
             },
         );
         Ok(Facing {
-            first: (0..points.len()).map(|k| first.position(k)).collect(),
+            first: (0..points.len()).map(|k| self.place(first, k)).collect(),
             centre: edge.centre,
-            second: curve.map_err(|what| self.refuse(what))?,
+            second: match &self.means {
+                Some(means) => curve.map_err(|what| self.refuse(what))?.with_places(means),
+                None => curve.map_err(|what| self.refuse(what))?,
+            },
         })
+    }
+
+    /// Where the force of the point `k` acts on the undeformed edge `first`.
+    fn place(&self, first: &Side<'_>, k: usize) -> Point {
+        match (&self.means, first.edge.kind) {
+            (Some(means), EdgeKind::Circle { centre, radius }) => {
+                let (sin, cos) = means[k].sin_cos();
+                [centre[0] + radius * cos, centre[1] + radius * sin]
+            }
+            _ => first.position(k),
+        }
     }
 }
 

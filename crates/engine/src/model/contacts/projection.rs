@@ -123,6 +123,8 @@ pub(super) struct Tied<'a> {
     pub(super) contact: &'a Contact,
     pub(super) geometry: &'a Geometry,
     pub(super) half: bool,
+    /// Where nodal forces on the first edge act, as in its parameter, if it is that of a series; otherwise at the nodes.
+    pub(super) means: Option<Vec<f64>>,
     /// Thickness `[mm]` and angle of the 1-axis `[rad]` of the first body.
     pub(super) thickness: f64,
     pub(super) material_angle: f64,
@@ -222,6 +224,7 @@ impl Tied<'_> {
 
     fn node_pairs(&self, first: &Side<'_>, second: &Side<'_>) -> Vec<ContactPoint> {
         let edge = first.edge;
+        let means = self.means.as_ref().unwrap_or(&edge.parameter);
         let point = |(k, &at): (usize, &f64)| {
             let normal = edge.normal(at);
             let (above, below) = (first.position(k), second.position(k));
@@ -235,7 +238,7 @@ impl Tied<'_> {
                 material_angle: self.material_angle,
             }
         };
-        edge.parameter.iter().enumerate().map(point).collect()
+        means.iter().enumerate().map(point).collect()
     }
 
     fn mortar(

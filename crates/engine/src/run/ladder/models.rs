@@ -1,15 +1,21 @@
 //! The models of a ladder.
 
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{KinematicsChoice, MeshSettings};
+use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
 
+use super::grading;
 use crate::model::Model;
 use crate::results::{EdgeGeometry, EdgeResults, Errors};
 use crate::run::{Progress, RunError, Solved, edges, fields, peaks, solve};
 
-/// Nodes on half of a contact circle less one, of the coarsest and the finest model by series.
-const INTERVALS: [usize; 2] = [30, 960];
+/// Nodes on half of a contact circle less one, of the coarsest model by series.
+const INTERVALS: usize = 30;
+/// The finest nodes far from where contact changes are 2⁴ times closer than the coarsest.
+const GRADINGS: usize = 4;
 /// The finest cells are 2⁴ times smaller than the coarsest.
 const HALVINGS: usize = 4;
 
@@ -59,6 +65,8 @@ pub(super) struct Models<'a> {
     scene: &'a Scene,
     solver: &'a dyn InterfaceSolver,
     division: Division,
+    /// Angles of the contact nodes of rungs by series that are graded, by rung.
+    graded: BTreeMap<usize, Vec<f64>>,
     /// On which geometry contact is found.
     pub(super) kinematics: KinematicsChoice,
 }
@@ -78,6 +86,7 @@ impl<'a> Models<'a> {
             scene,
             solver,
             division,
+            graded: BTreeMap::new(),
             kinematics: scene.kinematics(),
         })
     }
@@ -98,13 +107,28 @@ impl<'a> Models<'a> {
     /// Whether no finer rung than `rung` is tried.
     pub(super) fn is_finest(&self, rung: usize) -> bool {
         match self.division {
-            Division::Series => INTERVALS[0] << rung >= INTERVALS[1],
+            Division::Series => rung >= GRADINGS,
             Division::Elements => rung >= HALVINGS,
             Division::Pinned => true,
         }
     }
 
-    /// Solves the model of a rung; rung 0 is the coarsest.
+    /// Whether nodes are graded. Deformed gaps are not: their slopes are differences of neighbours, which lose an order where spacings differ.
+    pub(super) fn is_graded(&self) -> bool {
+        self.division == Division::Series && self.kinematics != KinematicsChoice::DeformedGaps
+    }
+
+    /// Grades the nodes of `rung` towards the places where contact changes in `level`, a coarser model, if they are those of series.
+    pub(super) fn grade(&mut self, level: &Level, rung: usize) {
+        if self.is_graded() {
+            let coarse = PI / (INTERVALS << rung) as f64;
+            let fine = coarse / (1 << rung) as f64;
+            let angles = grading::angles(level, level.model.half, [fine, coarse]);
+            self.graded.insert(rung, angles);
+        }
+    }
+
+    /// Solves the model of a rung; rung 0 is the coarsest, and finer ones whose nodes are graded need [`grade`](Self::grade) of a coarser one.
     pub(super) fn level(
         &self,
         rung: usize,
@@ -140,10 +164,15 @@ impl<'a> Models<'a> {
         let mut scene = self.scene.clone();
         scene.analysis.substeps = substeps;
         scene.analysis.kinematics = Some(self.kinematics);
+        if !scene.is_given("analysis.ramp") && !scene.is_given("analysis.substeps") {
+            scene.analysis.ramp = Ramp::Graded;
+        }
+        let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         match self.division {
-            Division::Series => {
-                scene.analysis.contact_nodes = Some((INTERVALS[0] << rung) + 1);
-            }
+            Division::Series => match graded {
+                Some(angles) => scene.mesh.division = MeshDivision::AngleList(angles.clone()),
+                None => scene.analysis.contact_nodes = Some((INTERVALS << rung) + 1),
+            },
             Division::Elements => {
                 (0..rung).for_each(|_| each_mesh(&mut scene, MeshSettings::finer));
             }
@@ -156,9 +185,10 @@ impl<'a> Models<'a> {
                 }
             }
         }
-        let mut division = match scene.analysis.contact_nodes {
-            Some(count) => format!("series, {count} nodes on half a circle"),
-            None => format!(
+        let mut division = match (graded, scene.analysis.contact_nodes) {
+            (Some(angles), _) => format!("series, {} graded nodes", angles.len()),
+            (None, Some(count)) => format!("series, {count} nodes on half a circle"),
+            (None, None) => format!(
                 "{} cells, {}",
                 scene.mesh.element.name(),
                 scene.mesh.division

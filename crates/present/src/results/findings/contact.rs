@@ -45,6 +45,12 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             numbers(steps),
             if *nodes == 1 { "node" } else { "nodes" }
         ),
+        ContactFinding::NoLimit { steps, numbers: of } => format!(
+            "No error is stated for the {} of contact '{name}' in load step {}: friction jumps from one direction or one value to another at a point, \
+             stress there grows without limit, like the logarithm of the spacing, and the value is that of this division.",
+            of.join(" and the "),
+            numbers(steps)
+        ),
         ContactFinding::RipplingPressures {
             bodies,
             nodes,

@@ -1,0 +1,159 @@
+//! What a division leaves of every stated number, by the models of the last two or three rungs.
+//!
+//! ```text
+//! size  = max(|v_h − v_2h|, |v_2h − v_4h| r),     error = k max(size, WIDE · the largest size of all steps)
+//! ```
+//!
+//! r is the part that a change should be of the one before: ½ with equal spacings, ¼ with graded ones. Changes of stress and force are compared
+//! between steps as parts of the peak pressure and of the normal force. [`factor`] has k.
+
+use super::models::Level;
+use super::{Table, difference, limits};
+use crate::results::{Errors, Stated};
+
+/// A change may vanish by chance; this part of the largest one of all steps does not.
+const WIDE: f64 = 0.4;
+/// Of two estimates of an error the smaller one counts, but at least this part of the larger one.
+const LEAST: f64 = 0.1;
+/// The expansion at an end of contact is off by so many times the error that it states, at most, on graded nodes.
+const FITTED: f64 = 2.7;
+
+/// The errors of the last of `levels`; empty where there is one only.
+pub(super) fn errors(levels: &[Level], is_graded: bool) -> Table {
+    let [.., coarse, fine] = levels else {
+        return Table::new();
+    };
+    let last = difference(fine, coarse);
+    let before = match levels {
+        [.., coarser, coarse, _] => difference(coarse, coarser),
+        _ => Table::new(),
+    };
+    let changes = Changes {
+        fine,
+        last,
+        before,
+        is_graded,
+    };
+    let edges = |step: usize| {
+        let count = fine.spacings.len();
+        (0..count)
+            .map(|edge| changes.errors([step, edge]))
+            .collect()
+    };
+    (0..fine.steps.len()).map(edges).collect()
+}
+
+/// A step and an edge.
+type At = [usize; 2];
+
+struct Changes<'a> {
+    fine: &'a Level,
+    last: Table,
+    before: Table,
+    is_graded: bool,
+}
+
+impl Changes<'_> {
+    fn errors(&self, at: At) -> Errors {
+        let limits = limits::Missing::of(self.fine, at);
+        let peak = self.error(at, Stated::PeakPressure);
+        Errors::of(|stated| {
+            let [last, before] = self.changes(at, stated);
+            if limits.concern(stated) && before.is_some_and(|before| last > Some(0.5 * before)) {
+                return None;
+            }
+            let error = self.error(at, stated)?;
+            let flat = match (stated, peak) {
+                (Stated::PeakPressurePlace, Some(peak)) => self.flat(at, peak),
+                _ => 0.0,
+            };
+            Some(error.max(flat))
+        })
+    }
+
+    fn changes(&self, [step, edge]: At, stated: Stated) -> [Option<f64>; 2] {
+        [&self.last, &self.before].map(|table| table.get(step)?.get(edge)?.get(stated))
+    }
+
+    fn error(&self, at: At, stated: Stated) -> Option<f64> {
+        let [step, edge] = at;
+        let own = self.fine.fitted[step][edge].get(stated);
+        let size = self.size(at, stated)?;
+        let steps = 0..self.fine.steps.len();
+        let parts = steps.filter_map(|other| {
+            Some(self.size([other, edge], stated)? / self.scale([other, edge], stated)?)
+        });
+        let wide = parts.fold(0.0, f64::max) * self.scale(at, stated).unwrap_or(0.0);
+        let by_models = factor(stated, self.is_graded) * size.max(WIDE * wide);
+        let has_three = !self.before.is_empty();
+        Some(match own {
+            Some(own) if self.is_graded && stated == Stated::ContactExtent => FITTED * own,
+            Some(_) if self.is_graded && has_three => by_models,
+            // A fit cannot resolve zones of a few nodes, where three models show how far it is off.
+            Some(own) if has_three => own.max(LEAST * by_models).min(by_models.max(LEAST * own)),
+            Some(own) => own.max(by_models),
+            None if stated.is_of_nodes() && !self.is_graded => {
+                by_models.max(0.5 * self.fine.spacings[edge])
+            }
+            None => by_models,
+        })
+    }
+
+    fn size(&self, at: At, stated: Stated) -> Option<f64> {
+        let [last, before] = self.changes(at, stated);
+        let rate = if self.is_graded { 0.25 } else { 0.5 };
+        Some(last?.max(rate * before.unwrap_or(0.0)))
+    }
+
+    /// By what the changes of `stated` are measured in a step; `None` where that vanishes.
+    fn scale(&self, [step, edge]: At, stated: Stated) -> Option<f64> {
+        let results = &self.fine.steps[step][edge];
+        let scale = match stated {
+            Stated::PeakPressure | Stated::PeakHoop | Stated::HoopAtBearing => {
+                Stated::PeakPressure.value(results)?
+            }
+            Stated::FrictionForce | Stated::NormalForce => results.normal_force,
+            _ => 1.0,
+        };
+        (scale > 0.0).then_some(scale)
+    }
+
+    /// How far from the place of the peak pressure a pressure lies that is within `error` of it: there the peak may be as well.
+    fn flat(&self, [step, edge]: At, error: f64) -> f64 {
+        let results = &self.fine.steps[step][edge];
+        let geometry = &self.fine.geometries[edge];
+        let Some((peak, place)) = results.peak_pressure else {
+            return 0.0;
+        };
+        let rows = results.rows.iter().zip(&geometry.parameter);
+        let high = rows.filter(|(row, _)| row.pressure >= peak - error);
+        let away = high.map(|(_, at)| {
+            let away = (at - place).abs();
+            geometry
+                .closed()
+                .map_or(away, |length| away.min(length - away))
+        });
+        away.fold(0.0, f64::max)
+    }
+}
+
+/// k of the module's equation.
+fn factor(stated: Stated, is_graded: bool) -> f64 {
+    if is_graded {
+        return match stated {
+            Stated::FrictionForce | Stated::NormalForce => 0.6,
+            Stated::PeakHoopPlace => 0.7,
+            Stated::ContactExtent => 0.85,
+            Stated::StickExtent | Stated::Bearing | Stated::PeakPressurePlace => 1.0,
+            Stated::PeakHoop => 1.15,
+            Stated::HoopAtBearing => 1.9,
+            Stated::PeakPressure => 2.6,
+        };
+    }
+    match stated {
+        Stated::PeakPressure | Stated::FrictionForce | Stated::NormalForce | Stated::Bearing => 1.0,
+        Stated::HoopAtBearing | Stated::ContactExtent => 1.5,
+        Stated::PeakHoop => 2.5,
+        Stated::StickExtent | Stated::PeakPressurePlace | Stated::PeakHoopPlace => 2.0,
+    }
+}

@@ -1,0 +1,159 @@
+//! Numbers without a limit, which grow with every finer division.
+//!
+//! Where the friction of two neighbouring points differs by a jump, the tangential stress between them is infinite like the logarithm of the distance:
+//! at a place from where slip leads away on both sides without a stick zone, and at an end of stick where friction drops when slip begins.
+//! With bodies of unlike elasticity the pressure is infinite there too.
+
+use stickslip_contact::{Contacts, Status, StepRecord};
+
+use super::Table;
+use super::models::Level;
+use crate::model::Model;
+use crate::results::{ContactFinding, EdgeGeometry, EdgeResults, EdgeRow, Finding, Stated};
+
+/// Which numbers of an edge in a step have no limit.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Missing {
+    /// The stress at the bearing point.
+    bearing: bool,
+    /// The largest stress.
+    hoop: bool,
+    /// The largest pressure.
+    pressure: bool,
+}
+
+impl Missing {
+    /// Those of an edge in a step.
+    pub(super) fn of(level: &Level, [step, edge]: [usize; 2]) -> Self {
+        let model = &level.model;
+        let (geometry, results) = (&level.geometries[edge], &level.steps[step][edge]);
+        let Some(pair) = model.edges[edge].pair else {
+            return Self::default();
+        };
+        let contacts = level.solved.interface.contacts();
+        let drops = || drops(contacts, &level.solved.records[step], pair, results);
+        let turns = turns(geometry, results);
+        let near = |place: Option<f64>| {
+            place.is_some_and(|place| turns.iter().any(|turn| turn.holds(place)))
+        };
+        Self {
+            bearing: near(results.bearing.or(Some(0.0))),
+            hoop: near(Stated::PeakHoopPlace.value(results)) || drops(),
+            pressure: near(Stated::PeakPressurePlace.value(results)) && are_unlike(model, pair),
+        }
+    }
+
+    /// Whether `stated` is one of them.
+    pub(super) fn concern(self, stated: Stated) -> bool {
+        match stated {
+            Stated::HoopAtBearing => self.bearing,
+            Stated::PeakHoop | Stated::PeakHoopPlace => self.hoop,
+            Stated::PeakPressure => self.pressure,
+            _ => false,
+        }
+    }
+}
+
+/// What a reader must know of numbers of `level` that have no limit, and so no error among `errors`.
+pub(super) fn findings(level: &Level, errors: &Table) -> Vec<Finding> {
+    let finding = |(edge, geometry): (usize, &EdgeGeometry)| {
+        let (mut steps, mut numbers) = (Vec::new(), Vec::new());
+        for (step, errors) in errors.iter().enumerate() {
+            let missing = Missing::of(level, [step, edge]);
+            let own = Stated::ALL.into_iter().filter(|&stated| {
+                missing.concern(stated)
+                    && errors[edge].get(stated).is_none()
+                    && stated.value(&level.steps[step][edge]).is_some()
+            });
+            for stated in own {
+                if steps.last() != Some(&(step + 1)) {
+                    steps.push(step + 1);
+                }
+                if !numbers.contains(&stated.describe()) {
+                    numbers.push(stated.describe());
+                }
+            }
+        }
+        let is_empty = steps.is_empty();
+        let found = ContactFinding::NoLimit { steps, numbers };
+        (!is_empty).then(|| Finding::about(&geometry.name, found))
+    };
+    let edges = level.geometries.iter().enumerate();
+    let contacts = edges.filter(|(_, geometry)| geometry.contact);
+    contacts.filter_map(finding).collect()
+}
+
+/// Where slip leads away on both sides.
+struct Turn {
+    from: f64,
+    to: f64,
+}
+
+impl Turn {
+    fn holds(&self, place: f64) -> bool {
+        let width = self.to - self.from;
+        (self.from - width..=self.to + width).contains(&place)
+    }
+}
+
+fn slips(row: &EdgeRow) -> bool {
+    matches!(row.status, Status::SlipPositive | Status::SlipNegative) && row.shear != 0.0
+}
+
+fn turns(geometry: &EdgeGeometry, results: &EdgeResults) -> Vec<Turn> {
+    let (rows, parameter) = (&results.rows, &geometry.parameter);
+    let mut turns = Vec::new();
+    // Between neighbours, or across one that sticks.
+    for apart in [1, 2] {
+        for (k, pair) in rows.windows(apart + 1).enumerate() {
+            let (one, other) = (&pair[0], &pair[apart]);
+            let between = pair[1..apart].iter().all(|row| row.status == Status::Stick);
+            if between && slips(one) && slips(other) && one.status != other.status {
+                let (from, to) = (parameter[k], parameter[k + apart]);
+                turns.push(Turn { from, to });
+            }
+        }
+    }
+    // A point on a line of symmetry has the mirrored neighbour on its other side.
+    if let (true, [first, second, .., before, last]) = (geometry.half, rows.as_slice()) {
+        let count = parameter.len();
+        if first.status.touches() && slips(second) {
+            let (from, to) = (2.0 * parameter[0] - parameter[1], parameter[1]);
+            turns.push(Turn { from, to });
+        }
+        if last.status.touches() && slips(before) {
+            let [from, middle] = [parameter[count - 2], parameter[count - 1]];
+            let to = 2.0 * middle - from;
+            turns.push(Turn { from, to });
+        }
+    }
+    turns
+}
+
+/// Whether friction drops at an end of stick.
+fn drops(contacts: &Contacts, record: &StepRecord, pair: usize, results: &EdgeResults) -> bool {
+    let mut ends = results.rows.windows(2);
+    let has_end = ends.any(|pair| {
+        let sticks = [0, 1].map(|k| pair[k].status == Status::Stick);
+        sticks[0] != sticks[1] && pair.iter().all(|row| row.status.touches())
+    });
+    has_end
+        && contacts.pair_points(pair).any(|k| {
+            let point = &contacts.points()[k];
+            let pressure = record.state.normal_force(k) / point.area;
+            let history = &record.state.history[k];
+            let bound = contacts.law(k).bound(pressure, 0.0, &point.place, history);
+            record.state.status[k].touches() && bound.stick > bound.slip * (1.0 + 1e-9)
+        })
+}
+
+/// Whether the bodies of a pair differ in elasticity.
+fn are_unlike(model: &Model, pair: usize) -> bool {
+    let edges = model.edges.iter().filter(|edge| edge.pair == Some(pair));
+    let mut stiffness = edges.map(|edge| {
+        let body = model.bodies[edge.geometry.body].elastic()?;
+        Some(body.materials().first()?.stiffness())
+    });
+    let first = stiffness.next();
+    stiffness.any(|other| Some(&other) != first.as_ref())
+}
