@@ -89,7 +89,7 @@ fn compare(draw: &Draw, asked: f64, tally: &mut Tally) -> Result<(), String> {
     let increments = format!("analysis.substeps={increments}");
     let mut finer = vec![
         &increments,
-        "analysis.ramp=graded",
+        "analysis.ramp=quadratic",
         "analysis.accuracy=1e-8",
     ];
     if draw.chooses_kinematics {
@@ -105,11 +105,11 @@ fn compare(draw: &Draw, asked: f64, tally: &mut Tally) -> Result<(), String> {
             let (Some(value), Some(exact)) = (stated.value(edge), stated.value(truth)) else {
                 continue;
             };
-            let Some(own) = edge.errors.get(stated) else {
+            let errors = [edge, truth].map(|edge| edge.errors.get(stated));
+            let [Some(own), Some(doubt)] = errors else {
                 tally.without(stated, unloading);
                 continue;
             };
-            let doubt = truth.errors.get(stated).unwrap_or(0.0);
             let apart = (value - exact).abs();
             if tally.shows_misses && apart > own && doubt < apart {
                 println!(

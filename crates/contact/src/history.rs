@@ -41,12 +41,7 @@ pub enum Ramp {
     Linear,
     /// P_k = P (k/n)²: finer where contact spreads fastest.
     Quadratic,
-    /// In equal increments, of which the first is divided again at 1/2, 1/4, … 2⁻⁸: while contact spreads from a point, its extent and what it locks in follow powers of the load.
-    Graded,
 }
-
-/// How often [`Ramp::Graded`] halves the first increment.
-const GRADED_HALVINGS: i32 = 8;
 
 /// Load steps and how they are walked.
 #[derive(Clone, Debug, PartialEq)]
@@ -230,6 +225,11 @@ impl LoadHistory {
             let what = format!("{given} multipliers for {cases} load cases");
             return Err(ContactError::InvalidLoad { step: index, what });
         }
+        let walker = Walker {
+            whole: 1.0 / self.substeps as f64,
+            smallest_part: SMALLEST_PART,
+            effort: Some(CUTBACK_EFFORT),
+        };
         let mut path = StepPath {
             history: self,
             course,
@@ -239,32 +239,13 @@ impl LoadHistory {
             target,
             record: start.at_its_end(),
         };
-        let mut from = 0.0;
-        for to in self.parts(index) {
-            let walker = Walker {
-                whole: to - from,
-                smallest_part: SMALLEST_PART,
-                effort: Some(CUTBACK_EFFORT),
-            };
-            if let Err(blocked) = walker.walk([from, to], &mut path) {
+        for substep in 0..self.substeps {
+            let ends = [substep, substep + 1].map(|k| k as f64 * walker.whole);
+            if let Err(blocked) = walker.walk(ends, &mut path) {
                 return Err(failed(index, blocked));
             }
-            from = to;
         }
         Ok(path.record)
-    }
-
-    /// Where the increments of the load step `index` end, as parts of it.
-    fn parts(&self, index: usize) -> Vec<f64> {
-        let whole = 1.0 / self.substeps as f64;
-        let halvings = if index == 0 && self.ramp == Ramp::Graded {
-            GRADED_HALVINGS
-        } else {
-            0
-        };
-        let graded = (1..=halvings).rev().map(|k| whole * 0.5_f64.powi(k));
-        let equal = (1..=self.substeps).map(|k| k as f64 * whole);
-        graded.chain(equal).collect()
     }
 }
 

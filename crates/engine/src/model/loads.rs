@@ -26,7 +26,6 @@ pub(super) fn history(plan: &Plan<'_>) -> Result<LoadHistory, ModelError> {
     let ramp = match plan.analysis.ramp {
         schema::Ramp::Linear => Ramp::Linear,
         schema::Ramp::Quadratic => Ramp::Quadratic,
-        schema::Ramp::Graded => Ramp::Graded,
     };
     let substeps = plan.analysis.substeps;
     Ok(LoadHistory::new(steps.collect(), substeps, ramp)?)

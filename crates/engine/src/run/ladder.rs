@@ -1,12 +1,7 @@
 //! The ladder: finer and finer models of a scene until the estimated errors meet what is asked.
 //!
-//! Errors have three parts: that of the [`division`], that of the load path, and where the geometry is left to the program and contact is found on the
-//! undeformed one, the difference that deformed gaps make on a coarse model. A number v of increments Δ is compared, on a coarse model, with those of
-//! 2Δ and 4Δ:
-//!
-//! ```text
-//! error = |v_Δ − v_2Δ| r/(1 − r),     r = |v_Δ − v_2Δ|/|v_2Δ − v_4Δ| between ½ and ⅘
-//! ```
+//! Errors have three parts: that of the [`division`], that of the load [`path`], and where the geometry is left to the program and contact is found on the
+//! undeformed one, [`geometry::FACTOR`] times the difference that deformed gaps make on a coarse model.
 //!
 //! docs/accuracy.md shows how often the truth lies within.
 
@@ -15,6 +10,7 @@ mod geometry;
 mod grading;
 mod limits;
 mod models;
+mod path;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
@@ -35,9 +31,6 @@ const PATH_SHARE: f64 = 0.5;
 const GEOMETRY_SHARE: f64 = 0.3;
 /// A finer model takes about so many times as long as the last one.
 const GROWTH: f64 = 4.0;
-
-/// The error that increments leave is at most so many times the change that halving them last made.
-const SLOWEST: f64 = 4.0;
 
 /// Errors per step, edge and number.
 type Table = Vec<Vec<Errors>>;
@@ -124,7 +117,7 @@ impl Climb<'_> {
             Err(why) => return Ok((small, Geometry::unknown(&why))),
         };
         self.record(&deformed, None);
-        let errors = difference(&deformed, &small);
+        let errors = geometry::errors(&difference(&deformed, &small));
         let worst = worst(&small, &errors);
         let asked = self.asked.unwrap_or(Accuracy::DEFAULT.share());
         let matters = worst.is_some_and(|(error, _)| error > GEOMETRY_SHARE * asked);
@@ -154,17 +147,17 @@ impl Climb<'_> {
             return Ok((base, Table::new()));
         }
         let pinned = self.scene.is_given("analysis.substeps");
-        let mut before = Table::new();
+        let mut changes = path::Changes::default();
         loop {
             let finer = self.models.level(1, 2 * base.substeps, progress)?;
             let change = difference(&finer, &base);
             if pinned {
-                let left = zipped(&change, &before, |change, _| {
-                    Some((1.0 + SLOWEST) * change?)
+                let left = zipped(&change, &Table::new(), |change, _| {
+                    Some((1.0 + path::SLOWEST) * change?)
                 });
                 return Ok((base, left));
             }
-            let left = zipped(&change, &before, path_error);
+            let left = changes.halved(change, &finer.steps);
             let worst = worst(&finer, &left).map_or(0.0, |(error, _)| error);
             self.record(&finer, None);
             let asked = self.asked.map(|asked| PATH_SHARE * asked);
@@ -172,7 +165,6 @@ impl Climb<'_> {
             if is_fine || finer.substeps >= INCREMENTS || self.is_spent(&finer) {
                 return Ok((finer, left));
             }
-            before = change;
             base = finer;
         }
     }
@@ -248,17 +240,6 @@ impl Climb<'_> {
         });
         Ok(found)
     }
-}
-
-/// What increments leave of a number, by the change that halving them makes and the change of the halving before: the sum of the geometric series that goes on at the
-/// rate of these two, between that of first order and that of [`SLOWEST`].
-fn path_error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
-    let change = change?;
-    let slowest = SLOWEST / (1.0 + SLOWEST);
-    let rate = before.map_or(slowest, |before| (change / before).clamp(0.5, slowest));
-    // Equal numbers have no rate.
-    let rate = if rate.is_finite() { rate } else { slowest };
-    Some(change * rate / (1.0 - rate))
 }
 
 /// The differences of the numbers of two levels.

@@ -53,9 +53,9 @@ pub(super) const TABLES: &[Table] = &[
             (enumeration, Tresca)"),
         integer("substeps", "`1`", "4",
             "equal sub-steps of every load step; one that fails is halved by itself").range(counts(1, 100_000)),
-        words("ramp", r#"`"linear"`, `"quadratic"`, `"graded"`"#, r#"`"linear"`, `"graded"` where increments are chosen"#, r#""quadratic""#,
-            "load at sub-step k of n in the first load step, from nothing to its value P: P k/n; P (k/n)², finer where \
-            contact spreads fastest; or P k/n with the first sub-step halved eight times towards nothing; later steps are linear"),
+        words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`, `"quadratic"` where the program chooses sub-steps"#, r#""quadratic""#,
+            "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \
+            contact spreads fastest; later steps are linear"),
         words("accuracy", "percentage or number, 1e-8 to 0.5", "`\"1 %\"` without a mesh", r#""0.1 %""#,
             "largest relative error that is asked for; bodies and steps are divided until the estimated errors are below it"),
         words("budget", "time", "no limit", r#""10 s""#,

@@ -89,8 +89,6 @@ pub enum Ramp {
     Linear,
     /// P (k/n)²: small steps while contact spreads fast.
     Quadratic,
-    /// P k/n, with the first sub-step divided again at 1/2, 1/4, … 2⁻⁸.
-    Graded,
 }
 
 /// A solver by its name in the list of the contact crate.

@@ -9,7 +9,7 @@
 
 use super::models::Level;
 use super::{Table, difference, limits};
-use crate::results::{Errors, Stated};
+use crate::results::{EdgeRow, Errors, Stated};
 
 /// A change may vanish by chance; this part of the largest one of all steps does not.
 const WIDE: f64 = 0.4;
@@ -17,6 +17,8 @@ const WIDE: f64 = 0.4;
 const LEAST: f64 = 0.1;
 /// The expansion at an end of contact is off by so many times the error that it states, at most, on graded nodes.
 const FITTED: f64 = 2.7;
+/// It is off by at least this part of what models estimate.
+const ENDS: f64 = 0.4;
 
 /// The errors of the last of `levels`; empty where there is one only.
 pub(super) fn errors(levels: &[Level], is_graded: bool) -> Table {
@@ -56,18 +58,19 @@ struct Changes<'a> {
 impl Changes<'_> {
     fn errors(&self, at: At) -> Errors {
         let limits = limits::Missing::of(self.fine, at);
-        let peak = self.error(at, Stated::PeakPressure);
+        let peaks = [
+            (Stated::PeakPressurePlace, Stated::PeakPressure),
+            (Stated::PeakHoopPlace, Stated::PeakHoop),
+        ];
         Errors::of(|stated| {
             let [last, before] = self.changes(at, stated);
             if limits.concern(stated) && before.is_some_and(|before| last > Some(0.5 * before)) {
                 return None;
             }
             let error = self.error(at, stated)?;
-            let flat = match (stated, peak) {
-                (Stated::PeakPressurePlace, Some(peak)) => self.flat(at, peak),
-                _ => 0.0,
-            };
-            Some(error.max(flat))
+            let peak = peaks.iter().find(|(place, _)| *place == stated);
+            let flat = peak.map(|(_, peak)| self.flat(at, *peak));
+            Some(error.max(flat.unwrap_or(0.0)))
         })
     }
 
@@ -87,7 +90,9 @@ impl Changes<'_> {
         let by_models = factor(stated, self.is_graded) * size.max(WIDE * wide);
         let has_three = !self.before.is_empty();
         Some(match own {
-            Some(own) if self.is_graded && stated == Stated::ContactExtent => FITTED * own,
+            Some(own) if self.is_graded && stated == Stated::ContactExtent => {
+                (FITTED * own).max(ENDS * by_models)
+            }
             Some(_) if self.is_graded && has_three => by_models,
             // A fit cannot resolve zones of a few nodes, where three models show how far it is off.
             Some(own) if has_three => own.max(LEAST * by_models).min(by_models.max(LEAST * own)),
@@ -118,15 +123,24 @@ impl Changes<'_> {
         (scale > 0.0).then_some(scale)
     }
 
-    /// How far from the place of the peak pressure a pressure lies that is within `error` of it: there the peak may be as well.
-    fn flat(&self, [step, edge]: At, error: f64) -> f64 {
+    /// How far from the place of `peak` a node lies whose value is within the error of it: there the peak may be as well.
+    fn flat(&self, at: At, peak: Stated) -> f64 {
+        let [step, edge] = at;
         let results = &self.fine.steps[step][edge];
         let geometry = &self.fine.geometries[edge];
-        let Some((peak, place)) = results.peak_pressure else {
+        let found = match peak {
+            Stated::PeakHoop => results.peak_hoop,
+            _ => results.peak_pressure,
+        };
+        let (Some((most, place)), Some(error)) = (found, self.error(at, peak)) else {
             return 0.0;
         };
+        let value = |row: &EdgeRow| match peak {
+            Stated::PeakHoop => row.sigma_tangential,
+            _ => row.pressure,
+        };
         let rows = results.rows.iter().zip(&geometry.parameter);
-        let high = rows.filter(|(row, _)| row.pressure >= peak - error);
+        let high = rows.filter(|(row, _)| value(row) >= most - error);
         let away = high.map(|(_, at)| {
             let away = (at - place).abs();
             geometry

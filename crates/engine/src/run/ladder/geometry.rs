@@ -1,8 +1,16 @@
 //! What a ladder finds out about the geometry on which contact is found.
 
-use super::Table;
+use super::{Table, zipped};
 use crate::results::{Results, Stated};
 use crate::run::RunError;
+
+/// The difference on a coarse model is off by this factor at most.
+pub(super) const FACTOR: f64 = 1.5;
+
+/// What deformed gaps may change, by the difference that they make on a coarse model.
+pub(super) fn errors(difference: &Table) -> Table {
+    zipped(difference, &Table::new(), |error, _| Some(FACTOR * error?))
+}
 
 /// The geometry that was chosen, where it was left to the program.
 #[derive(Default)]

@@ -165,7 +165,7 @@ impl<'a> Models<'a> {
         scene.analysis.substeps = substeps;
         scene.analysis.kinematics = Some(self.kinematics);
         if !scene.is_given("analysis.ramp") && !scene.is_given("analysis.substeps") {
-            scene.analysis.ramp = Ramp::Graded;
+            scene.analysis.ramp = Ramp::Quadratic;
         }
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         match self.division {

@@ -1,0 +1,66 @@
+//! What the increments of a load step leave of every stated number.
+//!
+//! A number v of increments Δ is compared, on a coarse model, with those of 2Δ and 4Δ:
+//!
+//! ```text
+//! error = max(c r/(1 − r), c′/2, c″/4, …),     r = c/c′ between ½ and ⅘,     c = |v_Δ − v_2Δ|,  c′ = |v_2Δ − v_4Δ|, …
+//! ```
+//!
+//! A change may vanish by chance, so those before count as if every halving took half of them.
+
+use super::{Table, zipped};
+use crate::results::{EdgeResults, Errors, Stated};
+
+/// The error that increments leave is at most so many times the change that halving them last made.
+pub(super) const SLOWEST: f64 = 4.0;
+
+/// The changes of numbers while increments are halved.
+#[derive(Default)]
+pub(super) struct Changes {
+    last: Table,
+    /// What the changes before leave of the error.
+    left: Table,
+}
+
+impl Changes {
+    /// The errors that increments leave after a halving that changed the numbers of `steps` by `change`.
+    pub(super) fn halved(&mut self, change: Table, steps: &[Vec<EdgeResults>]) -> Table {
+        let geometric = zipped(&change, &self.last, error);
+        let mut errors = zipped(&geometric, &self.left, |error, left| {
+            Some(error?.max(left.unwrap_or(0.0)))
+        });
+        self.left = zipped(&change, &self.left, |change, left| {
+            Some(0.5 * change?.max(left.unwrap_or(0.0)))
+        });
+        self.last = change;
+        of_sticks(&mut errors, steps);
+        errors
+    }
+}
+
+/// The sum of the geometric series that goes on at the rate of the last two changes, between that of first order and that of [`SLOWEST`].
+fn error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
+    let change = change?;
+    let slowest = SLOWEST / (1.0 + SLOWEST);
+    let rate = before.map_or(slowest, |before| (change / before).clamp(0.5, slowest));
+    // Equal numbers have no rate.
+    let rate = if rate.is_finite() { rate } else { slowest };
+    Some(change * rate / (1.0 - rate))
+}
+
+/// The extent of stick is that of nodes, which hides small changes. It is off by the part by which friction is.
+fn of_sticks(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
+    for (errors, step) in errors.iter_mut().zip(steps) {
+        for (errors, edge) in errors.iter_mut().zip(step) {
+            let force = errors.get(Stated::FrictionForce);
+            let part = force.map_or(0.0, |error| (error / edge.friction_force.abs()).min(1.0));
+            *errors = Errors::of(|stated| match stated {
+                Stated::StickExtent => {
+                    let extent = stated.value(edge)?;
+                    Some(errors.get(stated)?.max(part * extent))
+                }
+                _ => errors.get(stated),
+            });
+        }
+    }
+}
