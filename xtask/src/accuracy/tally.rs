@@ -5,6 +5,9 @@ use std::fmt::Write as _;
 
 use stickslip::results::Stated;
 
+use super::draw::Draw;
+use super::{Compared, Number};
+
 /// The truth is good to this part of the error that is tested, or the number is undecided.
 const DECIDED: f64 = 0.35;
 /// Errors below this part of the largest value are rounding.
@@ -40,9 +43,15 @@ impl Tally {
         }
     }
 
-    /// Counts a number for which no error is stated.
-    pub(super) fn without(&mut self, stated: Stated, unloading: bool) {
-        self.row(stated, unloading).without += 1;
+    /// Counts the numbers of a draw that was solved to the accuracy `asked`.
+    pub(super) fn add(&mut self, compared: &Compared, draw: &Draw, asked: f64) {
+        for number in &compared.numbers {
+            self.count(number, compared, draw);
+        }
+        let counts = self.asked.entry(asked.to_bits()).or_default();
+        counts[0] += 1;
+        counts[1] += usize::from(compared.is_reached);
+        counts[2] += usize::from(compared.is_met);
     }
 
     fn row(&mut self, stated: Stated, unloading: bool) -> &mut Row {
@@ -50,9 +59,26 @@ impl Tally {
         self.rows.entry((at.unwrap_or(0), unloading)).or_default()
     }
 
-    /// Counts a number with its stated error, its distance from the truth, and what the truth is good to.
-    pub(super) fn count(&mut self, stated: Stated, unloading: bool, [own, apart, doubt]: [f64; 3]) {
+    fn count(&mut self, number: &Number, compared: &Compared, draw: &Draw) {
+        let &Number {
+            stated,
+            unloading,
+            values: [value, exact],
+            ..
+        } = number;
+        let shows_misses = self.shows_misses;
         let row = self.row(stated, unloading);
+        let Some([own, doubt]) = number.errors else {
+            row.without += 1;
+            return;
+        };
+        let apart = (value - exact).abs();
+        if shows_misses && apart > own && doubt < apart {
+            println!(
+                "{stated:?}: {value:e} ± {own:.2e}, {exact:e} ± {doubt:.2e}, {} nodes, {} increments, step {}\n{}",
+                compared.nodes, compared.increments, number.step, draw.text
+            );
+        }
         if apart <= ROUNDING && own <= ROUNDING {
             return;
         }
@@ -67,14 +93,6 @@ impl Tally {
             row.worst = row.worst.max(apart / own.max(f64::MIN_POSITIVE));
         }
         row.ratios.push(own / apart.max(f64::MIN_POSITIVE));
-    }
-
-    /// Counts whether the accuracy `asked` was reached and whether the truth lies within.
-    pub(super) fn asked(&mut self, asked: f64, is_reached: bool, is_met: bool) {
-        let counts = self.asked.entry(asked.to_bits()).or_default();
-        counts[0] += 1;
-        counts[1] += usize::from(is_reached);
-        counts[2] += usize::from(is_met);
     }
 
     pub(super) fn failed(&mut self, case: usize, why: &str) {

@@ -6,6 +6,7 @@ mod deformed;
 mod edges;
 mod frames;
 mod halves;
+mod ladder;
 mod mortar;
 mod remarks;
 mod series;

@@ -5,7 +5,7 @@ use stickslip::results::{LadderEnd, Results, Stated};
 use super::{difference, model, results, scene, solved, tractions, upper};
 
 /// A pin in a strip without a mesh.
-const PIN: &str = r#"
+pub(super) const PIN: &str = r#"
 version = 1
 [analysis]
 substeps = 1

@@ -16,9 +16,9 @@ const WIDE: f64 = 0.4;
 /// Of two estimates of an error the smaller one counts, but at least this part of the larger one.
 const LEAST: f64 = 0.1;
 /// The expansion at an end of contact is off by so many times the error that it states, at most, on graded nodes.
-const FITTED: f64 = 2.7;
+const FITTED: f64 = 3.5;
 /// It is off by at least this part of what models estimate.
-const ENDS: f64 = 0.4;
+const ENDS: f64 = 0.6;
 
 /// The errors of the last of `levels`; empty where there is one only.
 pub(super) fn errors(levels: &[Level], is_graded: bool) -> Table {
@@ -160,8 +160,8 @@ fn factor(stated: Stated, is_graded: bool) -> f64 {
             Stated::ContactExtent => 0.85,
             Stated::StickExtent | Stated::Bearing | Stated::PeakPressurePlace => 1.0,
             Stated::PeakHoop => 1.15,
-            Stated::HoopAtBearing => 1.9,
-            Stated::PeakPressure => 2.6,
+            Stated::HoopAtBearing => 2.2,
+            Stated::PeakPressure => 1.6,
         };
     }
     match stated {

@@ -1,10 +1,11 @@
-//! Nodes graded towards the places where contact changes: the ends of contact, of stick and of slip, at the end of every load step.
+//! Nodes graded towards the places where contact changes, the ends of contact, of stick and of slip at the end of every load step, and finer within a small contact.
 //!
 //! ```text
-//! h(θ) = min(coarse, fine + GROWTH · distance of θ from the nearest place),     n = ∫ dθ/h(θ)
+//! h(θ) = min(coarse, fine + GROWTH d, coarse w/WIDE + GROWTH d),     n = ∫ dθ/h(θ)
 //! ```
 //!
-//! A place is known to the interval of nodes between which the status changes, so that is its extent. Angles divide the integral into equal parts.
+//! d is the distance of θ from the nearest place, or from a contact that extends over w. A place is known to the interval of nodes between which the
+//! status changes, so that is its extent. Angles divide the integral into equal parts.
 
 use std::f64::consts::{PI, TAU};
 
@@ -12,15 +13,18 @@ use super::models::Level;
 
 /// Growth of the spacing per length.
 const GROWTH: f64 = 0.4;
+/// Extent of contact that coarse nodes resolve as wanted `[rad]`.
+const WIDE: f64 = 2.0;
 /// Steps of the integral per fine spacing.
 const POINTS: f64 = 4.0;
 
 /// Angles from 0 to π of a half model, or all around; `fine` and `coarse` are spacings `[rad]`, places are those of `level`.
 pub(super) fn angles(level: &Level, half: bool, [fine, coarse]: [f64; 2]) -> Vec<f64> {
-    let places = places(level);
+    let places = places(level, fine, coarse);
     let spacing = |angle: f64| {
-        let away = places.iter().map(|place| place.distance(angle));
-        coarse.min(fine + GROWTH * away.fold(f64::INFINITY, f64::min))
+        let own = places.iter();
+        own.map(|place| place.spacing + GROWTH * place.distance(angle))
+            .fold(coarse, f64::min)
     };
     let end = if half { PI } else { TAU };
     // The integral, walked in steps of a part of the spacing itself.
@@ -62,40 +66,52 @@ pub(super) fn angles(level: &Level, half: bool, [fine, coarse]: [f64; 2]) -> Vec
     angles
 }
 
-/// Angles between which a status changes.
+/// Angles where nodes are closer.
 struct Place {
     middle: f64,
     reach: f64,
+    spacing: f64,
 }
 
 impl Place {
+    fn between(from: f64, to: f64, spacing: f64) -> Self {
+        let width = (to - from).rem_euclid(TAU);
+        Self {
+            middle: from + 0.5 * width,
+            reach: 0.5 * width,
+            spacing,
+        }
+    }
+
     fn distance(&self, angle: f64) -> f64 {
         let away = (angle - self.middle).rem_euclid(TAU);
         (away.min(TAU - away) - self.reach).max(0.0)
     }
 }
 
-fn places(level: &Level) -> Vec<Place> {
+fn places(level: &Level, fine: f64, coarse: f64) -> Vec<Place> {
     let mut places = Vec::new();
-    for (edge, geometry) in level.geometries.iter().enumerate() {
-        if !geometry.contact {
-            continue;
-        }
+    let contacts = level.geometries.iter().enumerate();
+    for (edge, geometry) in contacts.filter(|(_, geometry)| geometry.contact) {
+        let at = |k: usize| geometry.parameter[k % geometry.parameter.len()];
         for step in &level.steps {
             let rows = &step[edge].rows;
             let count = rows.len();
             let last = if geometry.half { count - 1 } else { count };
-            for k in 0..last {
-                let next = (k + 1) % count;
-                if rows[k].status == rows[next].status {
-                    continue;
+            let changes = (0..last).filter(|k| rows[*k].status != rows[(k + 1) % count].status);
+            places.extend(changes.map(|k| Place::between(at(k), at(k + 1), fine)));
+            let Some(extent) = step[edge].contact_half_extent else {
+                continue;
+            };
+            let spacing = coarse * (2.0 * extent / WIDE).min(1.0);
+            let touching: Vec<bool> = rows.iter().map(|row| row.status.touches()).collect();
+            let mut from = 0;
+            for run in touching.chunk_by(|one, other| one == other) {
+                let to = from + run.len();
+                if run[0] {
+                    places.push(Place::between(at(from), at(to.min(last)), spacing));
                 }
-                let from = geometry.parameter[k];
-                let width = (geometry.parameter[next] - from).rem_euclid(TAU);
-                places.push(Place {
-                    middle: from + 0.5 * width,
-                    reach: 0.5 * width,
-                });
+                from = to;
             }
         }
     }

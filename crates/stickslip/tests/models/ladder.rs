@@ -1,0 +1,133 @@
+//! What a ladder chooses, and whether its errors hold.
+
+use stickslip::results::{ContactFinding, Finding, LadderEnd, Results, Stated};
+
+use super::series::PIN;
+use super::solved;
+
+const SMALL: &str = "analysis.kinematics=small";
+const DEFORMED: &str = "analysis.kinematics=deformed-gaps";
+
+fn by(changes: &[&str]) -> Results {
+    solved(PIN, changes)
+}
+
+/// The numbers of every edge and step that are outside of the error of `found`, beside those of `truth` with theirs.
+fn misses(found: &Results, truth: &Results, of: &[Stated]) -> Vec<String> {
+    let mut misses = Vec::new();
+    for (number, (step, other)) in found.steps.iter().zip(&truth.steps).enumerate() {
+        for (edge, other) in step.edges.iter().zip(&other.edges) {
+            for &stated in of {
+                let (Some(value), Some(better)) = (stated.value(edge), stated.value(other)) else {
+                    continue;
+                };
+                let [Some(own), Some(doubt)] = [edge, other].map(|edge| edge.errors.get(stated))
+                else {
+                    continue;
+                };
+                if (value - better).abs() > own + doubt {
+                    misses.push(format!(
+                        "step {}, {stated:?}: {value:e} ± {own:.1e}, {better:e} ± {doubt:.1e}",
+                        number + 1
+                    ));
+                }
+            }
+        }
+    }
+    misses
+}
+
+#[test]
+fn graded_nodes_hold_what_equal_ones_find() {
+    let found = by(&[SMALL, r#"analysis.accuracy="0.5 %""#]);
+    let ladder = found.ladder.as_ref().unwrap();
+    assert!(
+        ladder.rungs.last().unwrap().model.contains("graded"),
+        "{ladder:?}"
+    );
+    let increments = format!(
+        "analysis.substeps={}",
+        4 * ladder.rungs.last().unwrap().increments
+    );
+    let equal = by(&[
+        SMALL,
+        "analysis.contact_nodes=481",
+        &increments,
+        "analysis.ramp=quadratic",
+    ]);
+    let misses = misses(&found, &equal, &Stated::ALL);
+    assert!(misses.is_empty(), "{misses:#?}");
+}
+
+#[test]
+fn half_and_whole_agree_within_their_errors() {
+    let [half, whole] = ["half", "whole"].map(|model| {
+        let model = format!("analysis.model={model}");
+        by(&[SMALL, &model, r#"analysis.accuracy="1 %""#])
+    });
+    let misses = misses(&half, &whole, &Stated::ALL);
+    assert!(misses.is_empty(), "{misses:#?}");
+}
+
+/// The reason for the geometry on which contact was found.
+fn kinematics(found: &Results) -> (&str, &str) {
+    let mut choices = found.choices.iter();
+    let choice = choices.find(|choice| choice.what == "kinematics").unwrap();
+    (&choice.value, &choice.reason)
+}
+
+#[test]
+fn gaps_are_found_deformed_where_that_matters() {
+    let frictionless = "contacts.0.friction.coulomb.mu=0";
+    let [rough, fine] = ["20 %", "0.2 %"]
+        .map(|accuracy| by(&[frictionless, &format!("analysis.accuracy=\"{accuracy}\"")]));
+    let (value, reason) = kinematics(&rough);
+    assert_eq!(value, "small displacement");
+    assert!(
+        reason.contains("which the stated errors contain"),
+        "{reason}"
+    );
+    let (value, reason) = kinematics(&fine);
+    assert_eq!(value, "deformed gaps");
+    assert!(reason.contains("which matters to the accuracy"), "{reason}");
+    let numbers = [
+        Stated::PeakPressure,
+        Stated::ContactExtent,
+        Stated::NormalForce,
+    ];
+    let truth = by(&[frictionless, DEFORMED, "analysis.contact_nodes=481"]);
+    for found in [&rough, &fine] {
+        let misses = misses(found, &truth, &numbers);
+        assert!(misses.is_empty(), "{misses:#?}");
+    }
+}
+
+/// Where friction drops when slip begins, the stress at the end of stick is infinite: no error is stated, and why.
+#[test]
+fn a_stress_without_a_limit_has_no_error() {
+    let law = "contacts.0.friction={ static_dynamic = { static = 0.3, dynamic = 0.15 } }";
+    let found = by(&[
+        SMALL,
+        law,
+        r#"analysis.accuracy="0.01 %""#,
+        "analysis.substeps=4",
+    ]);
+    assert_eq!(found.ladder.as_ref().unwrap().end, LadderEnd::Finest);
+    let finding = found.findings.iter().find_map(|finding| match finding {
+        Finding::Contact {
+            finding: ContactFinding::NoLimit { steps, numbers },
+            ..
+        } => Some((steps, numbers)),
+        _ => None,
+    });
+    let (steps, numbers) = finding.unwrap();
+    assert!(numbers.contains(&"peak tangential stress"), "{numbers:?}");
+    for step in steps {
+        let edge = &found.steps[step - 1].edges[0];
+        assert!(
+            Stated::ALL
+                .iter()
+                .any(|&stated| edge.errors.get(stated).is_none())
+        );
+    }
+}
