@@ -153,15 +153,16 @@ impl Climb<'_> {
             self.record(&base, None);
         }
         let mut changes = path::Changes::default();
+        if pinned {
+            let finer = self
+                .models
+                .level(1, path::PINNED * base.substeps, progress)?;
+            let left = path::of_pinned(&difference(&finer, &base), &base.steps);
+            return Ok((base, left));
+        }
         loop {
             let finer = self.models.level(1, 2 * base.substeps, progress)?;
             let change = difference(&finer, &base);
-            if pinned {
-                let left = zipped(&change, &Table::new(), |change, _| {
-                    Some((1.0 + path::SLOWEST) * change?)
-                });
-                return Ok((base, left));
-            }
             let left = changes.halved(change, &finer.steps);
             let worst = worst(&finer, &left).map_or(0.0, |(error, _)| error);
             self.record(&finer, None);

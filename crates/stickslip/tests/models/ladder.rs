@@ -65,7 +65,14 @@ fn half_and_whole_agree_within_their_errors() {
         let model = format!("analysis.model={model}");
         by(&[SMALL, &model, r#"analysis.accuracy="1 %""#])
     });
-    let misses = misses(&half, &whole, &Stated::ALL);
+    // Of two mirrored peaks either may be the larger one.
+    let is_place =
+        |stated: &Stated| matches!(stated, Stated::PeakHoopPlace | Stated::PeakPressurePlace);
+    let numbers: Vec<Stated> = Stated::ALL
+        .into_iter()
+        .filter(|stated| !is_place(stated))
+        .collect();
+    let misses = misses(&half, &whole, &numbers);
     assert!(misses.is_empty(), "{misses:#?}");
 }
 

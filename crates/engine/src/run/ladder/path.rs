@@ -12,7 +12,9 @@ use super::{Table, zipped};
 use crate::results::{EdgeResults, Errors, Stated};
 
 /// The error that increments leave is at most so many times the change that halving them last made.
-pub(super) const SLOWEST: f64 = 4.0;
+const SLOWEST: f64 = 4.0;
+/// Given increments are compared with so many times as many: two times as many may change nothing where contact grows in proportion to the load.
+pub(super) const PINNED: usize = 4;
 
 /// The changes of numbers while increments are halved.
 #[derive(Default)]
@@ -36,6 +38,15 @@ impl Changes {
         of_sticks(&mut errors, steps);
         errors
     }
+}
+
+/// The errors that given increments leave, by what [`PINNED`] times as many change.
+pub(super) fn of_pinned(change: &Table, steps: &[Vec<EdgeResults>]) -> Table {
+    let rate = SLOWEST / (1.0 + SLOWEST);
+    let whole = 1.0 / (1.0 - rate * rate);
+    let mut errors = zipped(change, &Table::new(), |change, _| Some(whole * change?));
+    of_sticks(&mut errors, steps);
+    errors
 }
 
 /// The sum of the geometric series that goes on at the rate of the last two changes, between that of first order and that of [`SLOWEST`].
