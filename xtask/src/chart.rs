@@ -14,6 +14,7 @@ mod methods;
 mod peers;
 mod summary;
 mod text;
+mod unmeshed;
 mod yardstick;
 
 use std::path::PathBuf;
@@ -27,6 +28,7 @@ use contact_cost::ContactCost;
 use factors::{PathFactor, path_factors};
 use methods::{Group, Method};
 use peers::PeerRun;
+use unmeshed::Unmeshed;
 use yardstick::Yardstick;
 
 use crate::publish::{Published, TaskError, root};
@@ -50,6 +52,7 @@ struct Charts {
     bench: Bench,
     factors: Vec<PathFactor>,
     contact: Vec<ContactCost>,
+    unmeshed: Vec<Unmeshed>,
     yardstick: Yardstick,
     peers: Vec<PeerRun>,
     /// Seconds that everything but the other programs took, by the wall clock.
@@ -71,6 +74,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let start = Instant::now();
     let (bench, contact, yardstick) = pool.install(|| measure(options.quick))?;
+    let unmeshed = pool.install(|| unmeshed::measure(options.quick))?;
     let elapsed = start.elapsed().as_secs_f64();
     let mut peers = peers::read(&committed.join("peers.csv"))?;
     if options.peers {
@@ -81,6 +85,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
         factors: path_factors(&bench),
         bench,
         contact,
+        unmeshed,
         yardstick,
         peers,
         elapsed,

@@ -167,6 +167,12 @@ pub(super) fn finest_error(mu: f64) -> f64 {
     found.map_or(0.0, |(_, [small, _])| small.uncertainty())
 }
 
+/// Relative error of a peak pressure `[MPa]` on the undeformed shape with the coefficient of friction `mu`, no smaller than can be resolved.
+pub(super) fn undeformed_error(mu: f64, peak: f64) -> f64 {
+    let found = REFERENCES.iter().find(|(known, _)| *known == mu);
+    found.map_or(f64::NAN, |(_, [small, _])| small.error(peak / job::PSI))
+}
+
 /// Reads the runs of `path`.
 pub(super) fn read(path: &Path) -> Result<Vec<PeerRun>, TaskError> {
     let mut reader = csv::ReaderBuilder::new()

@@ -18,6 +18,8 @@ pub(super) const JOBS: [(f64, Problem); 2] = [
     (0.0, Problem::AluminiumFrictionless),
     (0.25, Problem::AluminiumFrictional),
 ];
+/// Curves without a mesh.
+const UNMESHED: usize = 2;
 const WIDTH: f64 = 500.0;
 const ASPECT: f64 = 0.75;
 
@@ -62,6 +64,16 @@ fn panels(
             .enumerate()
             .map(|(index, own)| own_curve(charts, (mu, problem), own, own_unit, index))
             .collect();
+        let first = own_methods().len();
+        let unmeshed = charts.unmeshed.iter().filter(|own| own.mu == mu);
+        curves.extend(unmeshed.enumerate().map(|(index, own)| Curve {
+            label: format!("stickslip, {} (no mesh)", own.label),
+            points: scaled(&own.points, own_unit),
+            spread: Vec::new(),
+            color: first + index,
+            dash: Dash::Solid,
+            width: 3.0,
+        }));
         curves.extend(families.iter().map(|family| {
             let runs = charts.peers.iter();
             Curve {
@@ -113,14 +125,10 @@ fn own_curve(
     unit: f64,
     index: usize,
 ) -> Curve {
-    let scaled = |point: Point| Point {
-        cost: point.cost / unit,
-        ..point
-    };
     let points = own_points(charts, mu, problem, method);
     Curve {
         label: label.to_owned(),
-        points: points.into_iter().map(scaled).collect(),
+        points: scaled(&points, unit),
         spread: charts
             .bench
             .curve(problem, method)
@@ -132,6 +140,15 @@ fn own_curve(
         dash: Dash::Solid,
         width: if index < 2 { 3.0 } else { 2.0 },
     }
+}
+
+/// The same points with costs in units of `unit`.
+fn scaled(points: &[Point], unit: f64) -> Vec<Point> {
+    let scale = |point: &Point| Point {
+        cost: point.cost / unit,
+        ..*point
+    };
+    points.iter().map(scale).collect()
 }
 
 /// Time of the whole history over the error of the peak pressure while loading, which the other programs are judged by.
@@ -153,11 +170,14 @@ fn fastest_own(charts: &Charts, mu: f64, problem: Problem, error: f64) -> Option
         methods::projections(ElementKind::Q4),
     ];
     let all = groups.into_iter().flat_map(|group| group.methods);
-    all.filter_map(|(_, method)| {
+    let meshed = all.filter_map(|(_, method)| {
         let points = own_points(charts, mu, problem, method);
         Some((method.discretisation(), cost_of(&points, error)?))
-    })
-    .min_by(|a, b| a.1.total_cmp(&b.1))
+    });
+    let unmeshed = charts.unmeshed.iter().filter(|own| own.mu == mu);
+    let unmeshed =
+        unmeshed.filter_map(|own| Some((own.label.to_owned(), cost_of(&own.points, error)?)));
+    meshed.chain(unmeshed).min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// The other programs' curves: one colour for a program's contact method, dashes for quadratic elements.
@@ -184,6 +204,7 @@ fn families(runs: &[PeerRun]) -> Vec<Family> {
         let method = (run.program.as_str(), run.contact.as_str());
         let known = methods.iter().position(|other| *other == method);
         let color = own_methods().len()
+            + UNMESHED
             + known.unwrap_or_else(|| {
                 methods.push(method);
                 methods.len() - 1

@@ -273,6 +273,7 @@ mod tests {
             bench: Bench::new(true),
             factors: Vec::new(),
             contact: Vec::new(),
+            unmeshed: Vec::new(),
             yardstick: Yardstick {
                 unknowns: 41_000,
                 seconds: 0.5,
