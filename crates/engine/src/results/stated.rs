@@ -25,11 +25,21 @@ pub enum Stated {
     FrictionForce,
     /// Normal force `[N]`.
     NormalForce,
+    /// Component x of the resultant `[N]`.
+    ResultantX,
+    /// Component y of the resultant `[N]`.
+    ResultantY,
+    /// Length of the zones that slip away from the bearing point `[rad or mm]`.
+    SlipAway,
+    /// Length of the zones that slip towards it `[rad or mm]`.
+    SlipTowards,
+    /// Work of friction in the step `[N·mm]`.
+    FrictionWork,
 }
 
 impl Stated {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 15] = [
         Self::ContactExtent,
         Self::StickExtent,
         Self::Bearing,
@@ -40,6 +50,11 @@ impl Stated {
         Self::HoopAtBearing,
         Self::FrictionForce,
         Self::NormalForce,
+        Self::ResultantX,
+        Self::ResultantY,
+        Self::SlipAway,
+        Self::SlipTowards,
+        Self::FrictionWork,
     ];
 
     /// Those whose relative error an accuracy bounds.
@@ -63,6 +78,11 @@ impl Stated {
             Self::HoopAtBearing => edge.hoop_at_bearing_point,
             Self::FrictionForce => Some(edge.friction_force),
             Self::NormalForce => Some(edge.normal_force),
+            Self::ResultantX => Some(edge.resultant[0]),
+            Self::ResultantY => Some(edge.resultant[1]),
+            Self::SlipAway => edge.slip_lengths.map(|lengths| lengths[0]),
+            Self::SlipTowards => edge.slip_lengths.map(|lengths| lengths[1]),
+            Self::FrictionWork => Some(edge.friction_work),
         }
     }
 
@@ -70,7 +90,23 @@ impl Stated {
     pub fn is_of_nodes(self) -> bool {
         matches!(
             self,
-            Self::StickExtent | Self::PeakPressurePlace | Self::PeakHoopPlace
+            Self::StickExtent
+                | Self::PeakPressurePlace
+                | Self::PeakHoopPlace
+                | Self::SlipAway
+                | Self::SlipTowards
+        )
+    }
+
+    /// Whether it is zero where the bodies do not touch, or do not where they bear.
+    pub(crate) fn vanishes(self) -> bool {
+        matches!(
+            self,
+            Self::ContactExtent
+                | Self::StickExtent
+                | Self::PeakPressure
+                | Self::SlipAway
+                | Self::SlipTowards
         )
     }
 
@@ -87,6 +123,11 @@ impl Stated {
             Self::HoopAtBearing => "tangential stress at the bearing point",
             Self::FrictionForce => "friction force",
             Self::NormalForce => "normal force",
+            Self::ResultantX => "resultant in x",
+            Self::ResultantY => "resultant in y",
+            Self::SlipAway => "extent of slip away from the bearing point",
+            Self::SlipTowards => "extent of slip towards the bearing point",
+            Self::FrictionWork => "work of friction",
         }
     }
 }

@@ -242,12 +242,16 @@ impl Climb<'_> {
     }
 }
 
-/// The differences of the numbers of two levels.
+/// The differences of the numbers of two levels. Extents and pressures of a contact that is open in the coarse one change from zero.
 fn difference(fine: &Level, coarse: &Level) -> Table {
     let edges = |(step, other): (&Vec<_>, &Vec<_>)| {
         let own = step.iter().zip(other);
         own.map(|(edge, other)| {
-            Errors::of(|stated| Some((stated.value(edge)? - stated.value(other)?).abs()))
+            Errors::of(|stated| {
+                let before = stated.value(other);
+                let before = before.or(stated.vanishes().then_some(0.0));
+                Some((stated.value(edge)? - before?).abs())
+            })
         })
         .collect()
     };

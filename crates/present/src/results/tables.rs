@@ -6,7 +6,6 @@ mod signs;
 pub use signs::signs;
 pub(super) use signs::signs_table;
 
-use stickslip_contact::Status;
 use stickslip_fem_core::mesh::Mesh;
 use stickslip_report::table::{Columns, Table};
 
@@ -15,7 +14,7 @@ use super::display::{EdgeView, even};
 use super::failure::{self, FailureView};
 use super::progressive::{self, ProgressiveView};
 use super::quantities::table_columns;
-use super::zones::{contact_reach, stick_ranges, zone_length};
+use super::zones::{contact_reach, stick_ranges};
 use fit::fitted;
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{BodySummary, Choice, LadderEnd, Results, Rung, Stated};
@@ -126,13 +125,24 @@ fn along(edge: EdgeView<'_>, value: Option<f64>) -> String {
     }
 }
 
+/// The cell of a length or place with its estimated error in brackets, where it has both.
+fn bracketed(edge: EdgeView<'_>, step: usize, stated: Stated, cell: String) -> String {
+    let results = edge.step(step);
+    let error = stated.value(results).and_then(|_| results.errors.get(stated));
+    match error {
+        Some(error) => format!("{cell} ({})", significant(edge.length(error), 1)),
+        None => cell,
+    }
+}
+
 /// Contact, stick and slip: half-extents where all lies evenly about the bearing point, otherwise both ends.
 fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
     let unit = edge.place_unit();
     let mut columns = StepColumns::new();
     if wanders(&edge) {
         columns = columns.with("bears at", unit, move |step| {
-            along(edge, edge.bearing_point(step))
+            let cell = along(edge, edge.bearing_point(step));
+            bracketed(edge, step, Stated::Bearing, cell)
         });
     }
     let half = move |value: Option<f64>| along(edge, value.map(|value| edge.length(value)));
@@ -141,12 +151,8 @@ fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
         format!("{} … {}", digits(start), digits(end))
     };
     let with_error = move |step: usize, stated: Stated| {
-        let edge_step = edge.step(step);
-        let cell = half(stated.value(edge_step));
-        match edge_step.errors.get(stated) {
-            Some(error) => format!("{cell} ({})", significant(edge.length(error), 1)),
-            None => cell,
-        }
+        let cell = half(stated.value(edge.step(step)));
+        bracketed(edge, step, stated, cell)
     };
     columns = if lies_evenly(&edge) {
         columns
@@ -170,14 +176,14 @@ fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
                 }
             })
     };
-    let slip = move |status| move |step| along(edge, zone_length(&edge, step, status));
+    let slip = move |stated| move |step| with_error(step, stated);
     let [positive, negative] = edge.slip_names().map(|name| {
         // Signs stand close to their name in the narrow columns of a table.
         name.replace(" +", "+").replace(" −", "−")
     });
     columns
-        .with(positive, unit, slip(Status::SlipPositive))
-        .with(negative, unit, slip(Status::SlipNegative))
+        .with(positive, unit, slip(Stated::SlipAway))
+        .with(negative, unit, slip(Stated::SlipTowards))
 }
 
 /// Whether the bearing point of a circle moves by what a reader can see.
@@ -202,7 +208,13 @@ fn work_columns(edge: EdgeView<'_>, full: bool) -> StepColumns<'_> {
         record(step).work.solves.to_string()
     });
     if full {
-        let ratio = move |step| decimals(edge.friction_ratio(step), 4);
+        let ratio = move |step| {
+            let cell = decimals(edge.friction_ratio(step), 4);
+            match edge.friction_ratio_error(step) {
+                Some(error) => format!("{cell} ± {}", significant(error, 2)),
+                None => cell,
+            }
+        };
         columns = columns.with(edge.friction_symbol(), "–", ratio);
     }
     columns

@@ -7,6 +7,7 @@
 //! | `load` | largest load of the history; contact and hoop stress are those of its step |
 //! | `peak_pressure`, `contact_half_angle` | of the joint's contact |
 //! | `peak_hoop`, `peak_hoop_angle` | largest hoop stress on the hole, and where |
+//! | `peak_pressure_error`, …, `peak_hoop_angle_error` | estimated errors of these, each beside its number, where cases find their own model for an accuracy |
 //! | `first_ply_load`, `first_ply`, `first_ply_criterion`, `first_ply_mode`, `first_ply_angle`, `first_ply_found` | the first ply to fail |
 //! | `joint_load`, `joint_bearing_stress`, `joint_mode`, `joint_angle`, `joint_found` | failure on the characteristic curve |
 //! | `seconds` | time of the case on its core |
@@ -21,7 +22,7 @@ use std::io::Write;
 use stickslip_report::table::Columns;
 use stickslip_text::plain::{csv_cell, csv_text};
 
-use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row};
+use super::row::{JointLoad, MeasureErrors, Measures, Outcome, PlyFailure, Row};
 use super::verdict::ORDER;
 use super::{Sweep, SweepError};
 
@@ -92,25 +93,48 @@ fn found(reached: bool) -> String {
     if reached { REACHED } else { PROJECTED }.to_owned()
 }
 
+/// A number of a case.
+type Number = fn(&Measures) -> Option<f64>;
+
 fn contact_columns(sweep: &Sweep) -> Columns<'_, &Row> {
     let stress = sweep.scene.display.stress.name;
-    let number = |value: fn(&Measures) -> Option<f64>| {
-        move |row: &Row| shown(row.measures().and_then(value))
-    };
-    Columns::new()
-        .with("load", &sweep.load_unit, number(|own| own.load))
-        .with("peak_pressure", stress, number(|own| own.peak_pressure))
-        .with(
+    let number = |value: Number| move |row: &Row| shown(row.measures().and_then(value));
+    let columns = Columns::new().with("load", &sweep.load_unit, number(|own| own.load));
+    let quantities: [(&str, &str, Number, Number); 4] = [
+        (
+            "peak_pressure",
+            stress,
+            |own| own.peak_pressure,
+            |own| own.errors.peak_pressure,
+        ),
+        (
             "contact_half_angle",
             "deg",
-            number(|own| own.contact_half_angle),
-        )
-        .with("peak_hoop", stress, number(|own| Some(own.peak_hoop?[0])))
-        .with(
+            |own| own.contact_half_angle,
+            |own| own.errors.contact_half_angle,
+        ),
+        (
+            "peak_hoop",
+            stress,
+            |own| Some(own.peak_hoop?[0]),
+            |own| own.errors.peak_hoop,
+        ),
+        (
             "peak_hoop_angle",
             "deg",
-            number(|own| Some(own.peak_hoop?[1])),
-        )
+            |own| Some(own.peak_hoop?[1]),
+            |own| own.errors.peak_hoop_angle,
+        ),
+    ];
+    let add = |columns: Columns<'_, _>, (name, unit, value, error): (&str, &str, Number, Number)| {
+        let columns = columns.with(name, unit, number(value));
+        if sweep.states_errors() {
+            columns.with(format!("{name}_error"), unit, number(error))
+        } else {
+            columns
+        }
+    };
+    quantities.into_iter().fold(columns, add)
 }
 
 fn first_ply_columns(sweep: &Sweep) -> Columns<'_, &Row> {
@@ -286,15 +310,9 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
     for _ in &sweep.axes {
         cells.next();
     }
-    let mut measures = Measures {
-        load: cells.number()?,
-        peak_pressure: cells.number()?,
-        contact_half_angle: cells.number()?,
-        peak_hoop: pair(cells.number()?, cells.number()?),
-        first_ply: cells.first_ply()?,
-        joint: cells.joint()?,
-        findings: None,
-    };
+    let mut measures = cells.contact(sweep.states_errors())?;
+    measures.first_ply = cells.first_ply()?;
+    measures.joint = cells.joint()?;
     let seconds = cells.number()?.unwrap_or_default();
     let outcome = cells.next();
     measures.findings = findings_of(cells.next());
@@ -328,6 +346,30 @@ impl<'a> Cells<'a> {
         value
             .map(Some)
             .map_err(|_| format!("'{cell}' is not a number"))
+    }
+
+    /// The numbers of a contact, each followed by its error where a table `states_errors`.
+    fn contact(&mut self, states_errors: bool) -> Result<Measures, String> {
+        let load = self.number()?;
+        let mut stated = || {
+            let value = self.number()?;
+            let error = if states_errors { self.number()? } else { None };
+            Ok::<_, String>((value, error))
+        };
+        let [pressure, extent, hoop, angle] = [stated()?, stated()?, stated()?, stated()?];
+        Ok(Measures {
+            load,
+            peak_pressure: pressure.0,
+            contact_half_angle: extent.0,
+            peak_hoop: pair(hoop.0, angle.0),
+            errors: MeasureErrors {
+                peak_pressure: pressure.1,
+                contact_half_angle: extent.1,
+                peak_hoop: hoop.1,
+                peak_hoop_angle: angle.1,
+            },
+            ..Measures::default()
+        })
     }
 
     fn first_ply(&mut self) -> Result<Option<PlyFailure>, String> {

@@ -168,6 +168,8 @@ pub(super) struct Step<'a> {
     pub(super) complementarity_residual: Option<f64>,
     pub(super) cone_violation: Option<f64>,
     pub(super) dissipation: Quantity,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) dissipation_error: Option<Quantity>,
     pub(super) wall_time_s: f64,
 }
 
@@ -222,6 +224,8 @@ pub(super) struct EdgeStep {
     pub(super) fewest_contact_nodes: Option<usize>,
     pub(super) contact_resolved: Option<bool>,
     pub(super) resultant: Option<Vector>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) resultant_error: Option<Vector>,
 }
 
 /// Zones along the edge: in degrees on a circle, in lengths on a line.
