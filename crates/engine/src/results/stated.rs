@@ -1,5 +1,7 @@
 //! The numbers of an edge that are stated with an error, and the rungs by which the errors were found.
 
+use stickslip_scene::schema::{Accuracy, RelativeError};
+
 use super::EdgeResults;
 
 /// A number of an edge at the end of a load step.
@@ -57,13 +59,32 @@ impl Stated {
         Self::FrictionWork,
     ];
 
-    /// Those whose relative error an accuracy bounds.
+    /// Those whose relative error an accuracy bounds that names none.
     pub const ASKED: [Self; 4] = [
         Self::PeakPressure,
         Self::PeakHoop,
         Self::ContactExtent,
         Self::FrictionForce,
     ];
+
+    /// The relative error of it that `accuracy` allows; `None` where that does not bound it.
+    pub fn bound(self, accuracy: Accuracy) -> Option<f64> {
+        let named = match accuracy {
+            Accuracy::Overall(error) => return Self::ASKED.contains(&self).then(|| error.share()),
+            Accuracy::Named(bounds) => bounds,
+        };
+        let error = match self {
+            Self::PeakPressure => named.peak_pressure,
+            Self::PeakHoop => named.peak_hoop,
+            Self::ContactExtent => named.contact_extent,
+            Self::StickExtent => named.stick_extent,
+            Self::FrictionForce => named.friction_force,
+            Self::NormalForce => named.normal_force,
+            Self::HoopAtBearing => named.hoop_at_bearing,
+            _ => None,
+        };
+        error.map(RelativeError::share)
+    }
 
     /// The number in `edge`, in base units.
     pub fn value(self, edge: &EdgeResults) -> Option<f64> {
@@ -161,7 +182,7 @@ pub struct Rung {
     pub model: String,
     /// Increments of each load step.
     pub increments: usize,
-    /// Largest relative error of what is asked for, and what has it; `None` of the first rung, which has no coarser one to compare with.
+    /// The relative error of what is asked for that is largest beside its bound, and what has it; `None` of the first rung, which has no coarser one to compare with.
     pub error: Option<(f64, Stated)>,
     /// Wall time `[s]`.
     pub seconds: f64,
@@ -170,8 +191,8 @@ pub struct Rung {
 /// How an accuracy was sought.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ladder {
-    /// Relative error that was asked for; `None` where only errors were.
-    pub asked: Option<f64>,
+    /// What was asked for; `None` where only errors were.
+    pub asked: Option<Accuracy>,
     /// What was tried, in this order; the results are those of the last one.
     pub rungs: Vec<Rung>,
     /// Why the climb ended there.

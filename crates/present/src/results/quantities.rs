@@ -77,9 +77,14 @@ enum Edges {
 static QUANTITIES: [EdgeQuantity; 18] = [
     half("contact", |edge, step| edge.step(step).contact_half_extent).stated(Stated::ContactExtent),
     half("stick", |edge, step| edge.step(step).stick_half_extent).stated(Stated::StickExtent),
-    slip("slip_away", |edge, step| Some(edge.step(step).slip_lengths?[0])).stated(Stated::SlipAway),
-    slip("slip_towards", |edge, step| Some(edge.step(step).slip_lengths?[1]))
-        .stated(Stated::SlipTowards),
+    slip("slip_away", |edge, step| {
+        Some(edge.step(step).slip_lengths?[0])
+    })
+    .stated(Stated::SlipAway),
+    slip("slip_towards", |edge, step| {
+        Some(edge.step(step).slip_lengths?[1])
+    })
+    .stated(Stated::SlipTowards),
     place("bearing", |edge, step| edge.step(step).bearing).stated(Stated::Bearing),
     stress("peak_pressure", 5, |edge, step| {
         Some(edge.step(step).peak_pressure?.0)

@@ -14,16 +14,16 @@ use super::quantities::SummaryQuantities;
 use super::quantity::Quantity;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};
 use keys::{
-    Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
-    OwnEdgeStep, Program, SlipZone, SolverNotes, Sought, Step, Summary, Tried, Units, Vector,
-    Zones,
+    Asked, Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load,
+    OtherAnswer, OwnEdgeStep, Program, SlipZone, SolverNotes, Sought, Step, Summary, Tried, Units,
+    Vector, Zones,
 };
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{
     BearingSource, EdgeKind, EdgeResults, Ladder, LadderEnd, LoadValue, Results, Rung, Stated,
     StepNotes,
 };
-use stickslip_scene::schema::DisplayUnits;
+use stickslip_scene::schema::{Accuracy, DisplayUnits};
 use stickslip_text::tidy;
 
 /// The summary of `results`, which are consistent.
@@ -82,7 +82,7 @@ fn sought(ladder: &Ladder) -> Sought {
         wall_time_s: microseconds(rung.seconds),
     };
     Sought {
-        asked: ladder.asked,
+        asked: ladder.asked.map(asked),
         end: match ladder.end {
             LadderEnd::Reached => "reached",
             LadderEnd::Pinned => "pinned",
@@ -90,6 +90,17 @@ fn sought(ladder: &Ladder) -> Sought {
             LadderEnd::Finest => "finest",
         },
         rungs: ladder.rungs.iter().map(tried).collect(),
+    }
+}
+
+/// The relative errors that are asked for.
+fn asked(accuracy: Accuracy) -> Asked {
+    match accuracy {
+        Accuracy::Overall(error) => Asked::Overall(error.share()),
+        Accuracy::Named(bounds) => {
+            let named = bounds.entries();
+            Asked::Named(named.map(|(name, error)| (name, error.share())).collect())
+        }
     }
 }
 
@@ -210,8 +221,7 @@ fn step_entry<'a>(
         complementarity_residual: tidy(step.residuals.complementarity),
         cone_violation: tidy(step.residuals.cone),
         dissipation: work(units, step.dissipation),
-        dissipation_error: (step.dissipation_error(&results.edges))
-            .map(|error| work(units, error)),
+        dissipation_error: (step.dissipation_error(&results.edges)).map(|error| work(units, error)),
         wall_time_s: microseconds(step.seconds),
     }
 }

@@ -18,6 +18,7 @@ use super::zones::{contact_reach, stick_ranges};
 use fit::fitted;
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{BodySummary, Choice, LadderEnd, Results, Rung, Stated};
+use stickslip_scene::schema::Accuracy;
 use stickslip_text::{decimals, short, significant};
 
 /// The load steps for a terminal of `width` columns.
@@ -128,7 +129,9 @@ fn along(edge: EdgeView<'_>, value: Option<f64>) -> String {
 /// The cell of a length or place with its estimated error in brackets, where it has both.
 fn bracketed(edge: EdgeView<'_>, step: usize, stated: Stated, cell: String) -> String {
     let results = edge.step(step);
-    let error = stated.value(results).and_then(|_| results.errors.get(stated));
+    let error = stated
+        .value(results)
+        .and_then(|_| results.errors.get(stated));
     match error {
         Some(error) => format!("{cell} ({})", significant(edge.length(error), 1)),
         None => cell,
@@ -181,9 +184,11 @@ fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
         // Signs stand close to their name in the narrow columns of a table.
         name.replace(" +", "+").replace(" −", "−")
     });
-    columns
-        .with(positive, unit, slip(Stated::SlipAway))
-        .with(negative, unit, slip(Stated::SlipTowards))
+    columns.with(positive, unit, slip(Stated::SlipAway)).with(
+        negative,
+        unit,
+        slip(Stated::SlipTowards),
+    )
 }
 
 /// Whether the bearing point of a circle moves by what a reader can see.
@@ -242,9 +247,8 @@ pub(super) fn choices(results: &Results) -> Table {
 /// The models that were tried for an accuracy, with their errors; none where none was sought.
 pub(super) fn ladder(results: &Results) -> Option<Table> {
     let ladder = results.ladder.as_ref()?;
-    let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
     let asked = ladder.asked.map_or("no accuracy asked".into(), |asked| {
-        format!("{} asked, {}", percent(asked), end(ladder.end))
+        format!("{} asked, {}", describe(asked), end(ladder.end))
     });
     let row = |rung: &Rung| {
         let (error, of) = rung.error.map_or(("–".into(), ""), |(error, stated)| {
@@ -261,6 +265,23 @@ pub(super) fn ladder(results: &Results) -> Option<Table> {
     let headings = "model | increments | largest error | of | time [ms]";
     let caption = format!("Models tried: {asked}");
     Some(Table::headed(caption, headings).with_rows(ladder.rungs.iter().map(row)))
+}
+
+/// A relative error as "0.1 %".
+fn percent(share: f64) -> String {
+    format!("{} %", significant(100.0 * share, 2))
+}
+
+/// What is asked: "1 %", or "peak pressure 0.1 %, extent of contact 0.5 %".
+fn describe(asked: Accuracy) -> String {
+    if let Accuracy::Overall(error) = asked {
+        return percent(error.share());
+    }
+    let named = Stated::ALL.into_iter().filter_map(|stated| {
+        let bound = stated.bound(asked)?;
+        Some(format!("{} {}", stated.describe(), percent(bound)))
+    });
+    named.collect::<Vec<_>>().join(", ")
 }
 
 fn end(end: LadderEnd) -> &'static str {

@@ -176,10 +176,7 @@ fn case_cells(measures: &Measures) -> [String; 10] {
     [
         stated(measures.peak_pressure, errors.peak_pressure),
         stated(measures.contact_half_angle, errors.contact_half_angle),
-        stated(
-            measures.peak_hoop.map(|[most, _]| most),
-            errors.peak_hoop,
-        ),
+        stated(measures.peak_hoop.map(|[most, _]| most), errors.peak_hoop),
         stated(
             measures.peak_hoop.map(|[_, place]| place),
             errors.peak_hoop_angle,

@@ -3,7 +3,9 @@
 use super::Sweep;
 use super::axis::tidy;
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodyFailure, Finding, FirstPly, JointMode, LoadValue, Results, Stated};
+use stickslip_engine::results::{
+    BodyFailure, Finding, FirstPly, JointMode, LoadValue, Results, Stated,
+};
 
 /// A case.
 #[derive(Clone, Debug, PartialEq)]

@@ -126,15 +126,16 @@ fn contact_columns(sweep: &Sweep) -> Columns<'_, &Row> {
             |own| own.errors.peak_hoop_angle,
         ),
     ];
-    let add = |columns: Columns<'_, _>, (name, unit, value, error): (&str, &str, Number, Number)| {
-        let columns = columns.with(name, unit, number(value));
-        if sweep.states_errors() {
-            columns.with(format!("{name}_error"), unit, number(error))
-        } else {
-            columns
-        }
-    };
-    quantities.into_iter().fold(columns, add)
+    quantities
+        .into_iter()
+        .fold(columns, |columns, (name, unit, value, error)| {
+            let columns = columns.with(name, unit, number(value));
+            if sweep.states_errors() {
+                columns.with(format!("{name}_error"), unit, number(error))
+            } else {
+                columns
+            }
+        })
 }
 
 fn first_ply_columns(sweep: &Sweep) -> Columns<'_, &Row> {

@@ -10,6 +10,7 @@ mod mortar;
 mod remarks;
 mod series;
 mod several;
+mod stated;
 mod travel;
 mod unbalanced;
 

@@ -46,11 +46,20 @@ pub(crate) struct Summary<'a> {
 /// How an accuracy was sought.
 #[derive(Debug, Serialize)]
 pub(super) struct Sought {
-    /// Relative error that was asked for.
-    pub(super) asked: Option<f64>,
+    /// Relative errors that were asked for.
+    pub(super) asked: Option<Asked>,
     /// Whether it was reached, and otherwise why not.
     pub(super) end: &'static str,
     pub(super) rungs: Vec<Tried>,
+}
+
+/// Relative errors that were asked for.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub(super) enum Asked {
+    Overall(f64),
+    /// By the names that scenes give numbers.
+    Named(BTreeMap<&'static str, f64>),
 }
 
 /// A model that was tried.
