@@ -167,7 +167,7 @@ fn cases(sweep: &Sweep, rows: &[Row]) -> Table {
 fn case_cells(measures: &Measures) -> [String; 10] {
     let number = |value: Option<f64>| value.map_or_else(String::new, short);
     let stated = |value: Option<f64>, error: Option<f64>| match value.zip(error) {
-        Some((value, error)) => format!("{} ± {}", short(value), significant(error, 2)),
+        Some((value, error)) => format!("{} ± {}", significant(value, 5), significant(error, 2)),
         None => number(value),
     };
     let errors = measures.errors;

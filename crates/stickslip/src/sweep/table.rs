@@ -17,6 +17,8 @@
 //! `…_found` is `reached` where the history fails a ply, `projected` where its largest load was multiplied. What does not exist is
 //! an empty cell. Tables of versions without `findings` are read too.
 
+mod cells;
+
 use std::io::Write;
 
 use stickslip_report::table::Columns;
@@ -25,6 +27,7 @@ use stickslip_text::plain::{csv_cell, csv_text};
 use super::row::{JointLoad, MeasureErrors, Measures, Outcome, PlyFailure, Row};
 use super::verdict::ORDER;
 use super::{Sweep, SweepError};
+use cells::{Cells, whole};
 
 /// Outcome of a case that has numbers.
 const SOLVED: &str = "solved";
@@ -327,89 +330,4 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
         seconds,
         outcome,
     })
-}
-
-/// The cells of a row that are not read yet.
-struct Cells<'a>(std::slice::Iter<'a, &'a str>);
-
-impl<'a> Cells<'a> {
-    fn next(&mut self) -> &'a str {
-        self.0.next().copied().unwrap_or_default()
-    }
-
-    /// A number, or none in an empty cell.
-    fn number(&mut self) -> Result<Option<f64>, String> {
-        let cell = self.next();
-        if cell.is_empty() {
-            return Ok(None);
-        }
-        let value = cell.parse::<f64>();
-        value
-            .map(Some)
-            .map_err(|_| format!("'{cell}' is not a number"))
-    }
-
-    /// The numbers of a contact, each followed by its error where a table `states_errors`.
-    fn contact(&mut self, states_errors: bool) -> Result<Measures, String> {
-        let load = self.number()?;
-        let mut stated = || {
-            let value = self.number()?;
-            let error = if states_errors { self.number()? } else { None };
-            Ok::<_, String>((value, error))
-        };
-        let [pressure, extent, hoop, angle] = [stated()?, stated()?, stated()?, stated()?];
-        Ok(Measures {
-            load,
-            peak_pressure: pressure.0,
-            contact_half_angle: extent.0,
-            peak_hoop: pair(hoop.0, angle.0),
-            errors: MeasureErrors {
-                peak_pressure: pressure.1,
-                contact_half_angle: extent.1,
-                peak_hoop: hoop.1,
-                peak_hoop_angle: angle.1,
-            },
-            ..Measures::default()
-        })
-    }
-
-    fn first_ply(&mut self) -> Result<Option<PlyFailure>, String> {
-        let load = self.number()?;
-        let [ply, criterion, mode] = [self.next(), self.next(), self.next()].map(str::to_owned);
-        let (angle, found) = (self.number()?, self.next());
-        Ok((!found.is_empty()).then(|| PlyFailure {
-            load,
-            ply,
-            criterion,
-            mode,
-            angle,
-            reached: found == REACHED,
-        }))
-    }
-
-    fn joint(&mut self) -> Result<Option<JointLoad>, String> {
-        let (load, bearing_stress) = (self.number()?, self.number()?);
-        let (mode, angle, found) = (self.next(), self.number()?, self.next());
-        let known = ORDER.into_iter().find(|known| known.name() == mode);
-        match known.zip(angle) {
-            Some((mode, angle)) => Ok(Some(JointLoad {
-                load,
-                bearing_stress,
-                mode,
-                angle,
-                reached: found == REACHED,
-            })),
-            None if mode.is_empty() => Ok(None),
-            None => Err(format!("'{mode}' is not a failure mode with an angle")),
-        }
-    }
-}
-
-fn whole(cell: &str) -> Result<usize, String> {
-    cell.parse()
-        .map_err(|_| format!("'{cell}' is not the number of a case"))
-}
-
-fn pair(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {
-    first.zip(second).map(|(first, second)| [first, second])
 }

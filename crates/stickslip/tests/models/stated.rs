@@ -17,10 +17,17 @@ fn every_number_of_a_contact_has_an_error() {
         let edge = &step.edges[0];
         for stated in Stated::ALL {
             let error = edge.errors.get(stated);
-            assert!(stated.value(edge).is_none() || error.is_some(), "{stated:?}");
+            assert!(
+                stated.value(edge).is_none() || error.is_some(),
+                "{stated:?}"
+            );
         }
         let error = step.dissipation_error(&found.edges).unwrap();
-        assert!(error < 0.1 * step.dissipation, "{error} of {}", step.dissipation);
+        assert!(
+            error < 0.1 * step.dissipation,
+            "{error} of {}",
+            step.dissipation
+        );
     }
 }
 
@@ -38,7 +45,10 @@ fn slip_resultant_and_work_lie_within_their_errors() {
         ] {
             let apart = stated.value(edge).unwrap() - stated.value(truth).unwrap();
             let [own, doubt] = [edge, truth].map(|edge| edge.errors.get(stated).unwrap());
-            assert!(apart.abs() <= own + doubt, "{stated:?}: {apart:e} beyond {own:e}");
+            assert!(
+                apart.abs() <= own + doubt,
+                "{stated:?}: {apart:e} beyond {own:e}"
+            );
         }
     }
 }
@@ -66,7 +76,13 @@ fn a_named_number_alone_decides() {
     let [named, all] = [named, all].map(|found| (found.edges[0].parameter.len(), found.ladder));
     let ladder = named.1.unwrap();
     assert_eq!(ladder.end, LadderEnd::Reached);
-    assert!(ladder.rungs.iter().filter_map(|rung| rung.error).all(|(_, of)| of == Stated::PeakPressure));
+    assert!(
+        ladder
+            .rungs
+            .iter()
+            .filter_map(|rung| rung.error)
+            .all(|(_, of)| of == Stated::PeakPressure)
+    );
     assert!(named.0 < all.0, "{} {}", named.0, all.0);
 }
 
@@ -84,10 +100,15 @@ fn each_name_bounds_its_number() {
     ] {
         let scene = super::scene(PIN, &[&format!("analysis.accuracy={{ {name} = \"3 %\" }}")]);
         let accuracy = scene.analysis.accuracy.unwrap();
-        let bounded = Stated::ALL.into_iter().filter(|own| own.bound(accuracy).is_some());
+        let bounded = Stated::ALL
+            .into_iter()
+            .filter(|own| own.bound(accuracy).is_some());
         assert_eq!(bounded.collect::<Vec<_>>(), [stated], "{name}");
         assert_eq!(stated.bound(accuracy), Some(0.03));
         // What `check` prints is read again.
-        assert_eq!(super::scene(scene.resolved(), &[]).analysis.accuracy, Some(accuracy));
+        assert_eq!(
+            super::scene(scene.resolved(), &[]).analysis.accuracy,
+            Some(accuracy)
+        );
     }
 }
