@@ -6,6 +6,7 @@ mod frame;
 mod progressive;
 mod resolution;
 mod stated;
+mod zones;
 
 pub use stated::{Errors, Ladder, LadderEnd, Rung, Stated};
 
@@ -24,6 +25,8 @@ pub use finding::{
 
 pub use frame::wrapped;
 pub use frame::{BearingSource, ContactFrame};
+
+pub use zones::ZoneRange;
 
 pub use progressive::{
     CurvePoint, EdgeStrain, LinearJoint, PlyLoss, ProgressiveEnd, ProgressiveFailure,
@@ -194,6 +197,9 @@ pub struct EdgeResults {
     /// Half of the extent of the stick zone around the bearing point of the step `[rad or mm]`: 0 where that point slips or is
     /// open, `None` without contact, without friction, or without a bearing point unless all sticks all around.
     pub stick_half_extent: Option<f64>,
+    /// Total lengths of the zones that slip away from the bearing point of the step and towards it, or along ±e_t `[rad or mm]`; `None`
+    /// without contact.
+    pub slip_lengths: Option<[f64; 2]>,
     /// Largest pressure `[MPa]` and its place.
     pub peak_pressure: Option<(f64, f64)>,
     /// Largest tangential stress σ_θ or σ_xx `[MPa]` and its place.
@@ -212,6 +218,8 @@ pub struct EdgeResults {
     pub friction_force: f64,
     /// ∫p dA over the whole contact `[N]`.
     pub normal_force: f64,
+    /// Work lost to friction in the step over the whole contact `[N·mm]`.
+    pub friction_work: f64,
     /// Estimated errors of these numbers, where the scene asks for an accuracy or leaves the mesh to the program.
     pub errors: Errors,
 }
@@ -239,6 +247,12 @@ impl EdgeResults {
             .bearing_area
             .filter(|_| force > 0.0)
             .map(|area| force / area)
+    }
+
+    /// Estimated error of the magnitude of the resultant `[N]`, that of its components together.
+    pub fn resultant_error(&self) -> Option<f64> {
+        let [x, y] = [Stated::ResultantX, Stated::ResultantY].map(|stated| self.errors.get(stated));
+        Some(x?.hypot(y?))
     }
 }
 
@@ -288,6 +302,16 @@ pub struct StepResults {
     pub fields: Vec<BodyFields>,
     /// Wall time of the step's contact solution `[s]`.
     pub seconds: f64,
+}
+
+impl StepResults {
+    /// Estimated error of [`dissipation`](Self::dissipation): the sum of those of all contacts; `None` where one has none.
+    pub fn dissipation_error(&self, edges: &[EdgeGeometry]) -> Option<f64> {
+        let contacts = edges.iter().zip(&self.edges).filter(|own| own.0.contact);
+        contacts
+            .map(|(_, edge)| edge.errors.get(Stated::FrictionWork))
+            .sum()
+    }
 }
 
 /// What a load step leaves to say of its solvers and of the number of its solutions.

@@ -409,7 +409,7 @@ fn steps(
             residuals: record.residuals,
             balance_residual: record.audit.balance().max(recovered[index].imbalance()),
             balance: recovered[index].balance.clone(),
-            dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
+            dissipation: record.dissipation() * if model.half { 2.0 } else { 1.0 },
             fields: Vec::new(),
             seconds: solved.step_seconds[index],
         }

@@ -22,7 +22,7 @@ pub use crate::shape::Shape;
 use crate::units::Unit;
 pub use analysis::{Analysis, KinematicsChoice, ModelChoice, Ramp, SolverChoice};
 pub use bearing::BearingLaw;
-pub use demand::{Accuracy, Budget};
+pub use demand::{Accuracy, Bounds, Budget, RelativeError};
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
 pub use progressive::{Control, Progressive, ProgressiveModel};
 

@@ -228,7 +228,7 @@ fn the_pull_pays_for_energy_and_friction() {
             let u = [plate, pin].map(|body| solution.displacement(body, record));
             let travel = dot(&unit, &u[0]);
             work += f64::midpoint(before.0, *pull) * (travel - before.1);
-            lost += record.dissipation;
+            lost += record.dissipation();
             before = (*pull, travel);
             energy = [plate, pin]
                 .iter()

@@ -13,8 +13,8 @@ pub struct Increment {
     pub state: ContactState,
     /// How well the state meets the conditions.
     pub residuals: Residuals,
-    /// Work lost to friction `[force·length]`: slip times the mean of the slip forces at both ends.
-    pub dissipation: f64,
+    /// Work lost to friction at each point `[force·length]`: slip times the mean of the slip forces at both ends.
+    pub friction_work: DVector<f64>,
     /// Slip of each point `[length]`, first body against the second along e_t; zero where it did not slip.
     pub slip: DVector<f64>,
 }
@@ -26,8 +26,8 @@ impl Increment {
         // Those of the state that is kept, with the statuses that it has now.
         let residuals = Residuals::of(step, &trial);
         let committed = step.committed;
-        let mut dissipation = 0.0;
-        let mut slips = DVector::zeros(trial.status.len());
+        let mut friction_work = DVector::zeros(trial.status.len());
+        let mut slips = friction_work.clone();
         for (k, status) in trial.status.iter().enumerate() {
             if status.slip_sign() != 0.0 {
                 let slip = trial.motion[2 * k + 1] - committed.tangential_displacement(k);
@@ -40,14 +40,14 @@ impl Increment {
                 } else {
                     end
                 };
-                dissipation -= f64::midpoint(start, end) * slip;
+                friction_work[k] = -f64::midpoint(start, end) * slip;
                 slips[k] = slip;
             }
         }
         Self {
             state: committed.advance(trial, step.multipliers()),
             residuals,
-            dissipation,
+            friction_work,
             slip: slips,
         }
     }

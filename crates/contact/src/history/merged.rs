@@ -76,6 +76,7 @@ fn add(whole: &mut StepRecord, part: &Part, record: &StepRecord) {
         to.status[k] = from.status[own];
         to.history[k] = from.history[own];
         whole.slip[k] = record.slip[own];
+        whole.friction_work[k] = record.friction_work[own];
     }
     for (own, &mode) in part.modes().iter().enumerate() {
         to.rigid[mode] = from.rigid[own];
@@ -101,7 +102,6 @@ fn add(whole: &mut StepRecord, part: &Part, record: &StepRecord) {
     whole.coefficient = whole.coefficient.max(record.coefficient);
     whole.increments = whole.increments.max(record.increments);
     whole.cutbacks += record.cutbacks;
-    whole.dissipation += record.dissipation;
     for (sums, &pair) in record.audit.pairs.iter().zip(pairs) {
         whole.audit.pairs[pair] = *sums;
     }

@@ -277,7 +277,7 @@ impl Again<'_> {
         }
         let over = |value: f64, whole: f64| if whole > 0.0 { value / whole } else { 0.0 };
         let (slip, other_slip) = (&self.record.slip, &walk.slip);
-        let (work, other_work) = (self.record.dissipation, walk.dissipation);
+        let (work, other_work) = (self.record.dissipation(), walk.dissipation());
         let length = ROUNDING * state.motion.amax();
         let beyond = |value: f64, least: f64| if value.abs() > least { value } else { 0.0 };
         let slipped = beyond((other_slip - slip).amax(), length);

@@ -49,8 +49,8 @@ pub struct StepRecord {
     pub increments: usize,
     /// Increments that failed and were halved.
     pub cutbacks: usize,
-    /// Work lost to friction in the step `[force·length]`: slip times the mean of the slip forces at both ends of each increment.
-    pub dissipation: f64,
+    /// Work lost to friction at each point in the step `[force·length]`: slip times the mean of the slip forces at both ends of each increment.
+    pub friction_work: DVector<f64>,
     /// Slip of each point in the step `[length]`, first body against the second along e_t; zero where it did not slip.
     pub slip: DVector<f64>,
     /// Equilibrium at its end.
@@ -64,6 +64,7 @@ impl StepRecord {
     pub(super) fn at(state: ContactState) -> Self {
         Self {
             slip: DVector::zeros(state.status.len()),
+            friction_work: DVector::zeros(state.status.len()),
             state,
             contacts: None,
             work: Work::default(),
@@ -80,7 +81,6 @@ impl StepRecord {
             uniqueness: None,
             increments: 0,
             cutbacks: 0,
-            dissipation: 0.0,
             audit: Audit::default(),
             parts: Vec::new(),
         }
@@ -101,7 +101,7 @@ impl StepRecord {
         let Increment {
             state,
             residuals,
-            dissipation,
+            friction_work,
             slip,
         } = Increment::accept(step, solution.trial);
         Self {
@@ -121,7 +121,7 @@ impl StepRecord {
             uniqueness: None,
             increments: 1,
             cutbacks: 0,
-            dissipation,
+            friction_work,
             slip,
             state,
             parts: Vec::new(),
@@ -175,11 +175,16 @@ impl StepRecord {
         self.coefficient = next.coefficient;
         self.increments += next.increments;
         self.cutbacks += next.cutbacks;
-        self.dissipation += next.dissipation;
+        self.friction_work += next.friction_work;
         self.slip += next.slip;
         self.state = next.state;
         self.contacts = next.contacts;
         self.audit = next.audit;
+    }
+
+    /// Work lost to friction at all points in the step `[force·length]`.
+    pub fn dissipation(&self) -> f64 {
+        self.friction_work.sum()
     }
 
     /// The contact points of its end, those of the undeformed geometry being `undeformed`.

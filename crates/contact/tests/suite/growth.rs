@@ -82,7 +82,7 @@ fn a_walk_without_cut_back_is_its_steps() {
     let mut state = ContactState::unloaded(&problem);
     for (record, target) in records.iter().zip(targets) {
         let start = state.multipliers.clone();
-        let mut dissipation = 0.0;
+        let mut friction_work = DVector::zeros(state.status.len());
         for k in 1..=substeps {
             let part = k as f64 * (1.0 / substeps as f64);
             let part = if k == substeps { 1.0 } else { part };
@@ -91,11 +91,11 @@ fn a_walk_without_cut_back_is_its_steps() {
             let step = Step::new(&problem, &state, &loads);
             let trial = Chain::default().solve(&step).unwrap().trial;
             let increment = Increment::accept(&step, trial);
-            dissipation += increment.dissipation;
+            friction_work += increment.friction_work;
             state = increment.state;
         }
         assert_eq!(record.state, state);
-        assert_eq!(record.dissipation, dissipation);
+        assert_eq!(record.friction_work, friction_work);
         assert_eq!((record.increments, record.cutbacks), (substeps, 0));
     }
 }

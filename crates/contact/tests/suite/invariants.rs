@@ -146,7 +146,7 @@ proptest! {
         for (record, other) in scene.follow(2).iter().zip(larger.follow(2)) {
             assert_close(&record.state.forces, &(&other.state.forces / factor));
             assert_close(&record.state.motion, &(&other.state.motion / factor));
-            prop_assert!((record.dissipation - other.dissipation / (factor * factor)).abs() < 1e-9);
+            prop_assert!((record.dissipation() - other.dissipation() / (factor * factor)).abs() < 1e-9);
         }
     }
 

@@ -1,5 +1,7 @@
 //! The numbers of an edge that are stated with an error, and the rungs by which the errors were found.
 
+use stickslip_scene::schema::{Accuracy, RelativeError};
+
 use super::EdgeResults;
 
 /// A number of an edge at the end of a load step.
@@ -25,11 +27,21 @@ pub enum Stated {
     FrictionForce,
     /// Normal force `[N]`.
     NormalForce,
+    /// Component x of the resultant `[N]`.
+    ResultantX,
+    /// Component y of the resultant `[N]`.
+    ResultantY,
+    /// Length of the zones that slip away from the bearing point `[rad or mm]`.
+    SlipAway,
+    /// Length of the zones that slip towards it `[rad or mm]`.
+    SlipTowards,
+    /// Work of friction in the step `[N·mm]`.
+    FrictionWork,
 }
 
 impl Stated {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 15] = [
         Self::ContactExtent,
         Self::StickExtent,
         Self::Bearing,
@@ -40,15 +52,39 @@ impl Stated {
         Self::HoopAtBearing,
         Self::FrictionForce,
         Self::NormalForce,
+        Self::ResultantX,
+        Self::ResultantY,
+        Self::SlipAway,
+        Self::SlipTowards,
+        Self::FrictionWork,
     ];
 
-    /// Those whose relative error an accuracy bounds.
+    /// Those whose relative error an accuracy bounds that names none.
     pub const ASKED: [Self; 4] = [
         Self::PeakPressure,
         Self::PeakHoop,
         Self::ContactExtent,
         Self::FrictionForce,
     ];
+
+    /// The relative error of it that `accuracy` allows; `None` where that does not bound it.
+    pub fn bound(self, accuracy: Accuracy) -> Option<f64> {
+        let named = match accuracy {
+            Accuracy::Overall(error) => return Self::ASKED.contains(&self).then(|| error.share()),
+            Accuracy::Named(bounds) => bounds,
+        };
+        let error = match self {
+            Self::PeakPressure => named.peak_pressure,
+            Self::PeakHoop => named.peak_hoop,
+            Self::ContactExtent => named.contact_extent,
+            Self::StickExtent => named.stick_extent,
+            Self::FrictionForce => named.friction_force,
+            Self::NormalForce => named.normal_force,
+            Self::HoopAtBearing => named.hoop_at_bearing,
+            _ => None,
+        };
+        error.map(RelativeError::share)
+    }
 
     /// The number in `edge`, in base units.
     pub fn value(self, edge: &EdgeResults) -> Option<f64> {
@@ -63,6 +99,11 @@ impl Stated {
             Self::HoopAtBearing => edge.hoop_at_bearing_point,
             Self::FrictionForce => Some(edge.friction_force),
             Self::NormalForce => Some(edge.normal_force),
+            Self::ResultantX => Some(edge.resultant[0]),
+            Self::ResultantY => Some(edge.resultant[1]),
+            Self::SlipAway => edge.slip_lengths.map(|lengths| lengths[0]),
+            Self::SlipTowards => edge.slip_lengths.map(|lengths| lengths[1]),
+            Self::FrictionWork => Some(edge.friction_work),
         }
     }
 
@@ -70,7 +111,23 @@ impl Stated {
     pub fn is_of_nodes(self) -> bool {
         matches!(
             self,
-            Self::StickExtent | Self::PeakPressurePlace | Self::PeakHoopPlace
+            Self::StickExtent
+                | Self::PeakPressurePlace
+                | Self::PeakHoopPlace
+                | Self::SlipAway
+                | Self::SlipTowards
+        )
+    }
+
+    /// Whether it is zero where the bodies do not touch, or do not where they bear.
+    pub(crate) fn vanishes(self) -> bool {
+        matches!(
+            self,
+            Self::ContactExtent
+                | Self::StickExtent
+                | Self::PeakPressure
+                | Self::SlipAway
+                | Self::SlipTowards
         )
     }
 
@@ -87,6 +144,11 @@ impl Stated {
             Self::HoopAtBearing => "tangential stress at the bearing point",
             Self::FrictionForce => "friction force",
             Self::NormalForce => "normal force",
+            Self::ResultantX => "resultant in x",
+            Self::ResultantY => "resultant in y",
+            Self::SlipAway => "extent of slip away from the bearing point",
+            Self::SlipTowards => "extent of slip towards the bearing point",
+            Self::FrictionWork => "work of friction",
         }
     }
 }
@@ -120,7 +182,7 @@ pub struct Rung {
     pub model: String,
     /// Increments of each load step.
     pub increments: usize,
-    /// Largest relative error of what is asked for, and what has it; `None` of the first rung, which has no coarser one to compare with.
+    /// The relative error of what is asked for that is largest beside its bound, and what has it; `None` of the first rung, which has no coarser one to compare with.
     pub error: Option<(f64, Stated)>,
     /// Wall time `[s]`.
     pub seconds: f64,
@@ -129,8 +191,8 @@ pub struct Rung {
 /// How an accuracy was sought.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ladder {
-    /// Relative error that was asked for; `None` where only errors were.
-    pub asked: Option<f64>,
+    /// What was asked for; `None` where only errors were.
+    pub asked: Option<Accuracy>,
     /// What was tried, in this order; the results are those of the last one.
     pub rungs: Vec<Rung>,
     /// Why the climb ended there.

@@ -53,6 +53,9 @@ pub(super) fn find(edge: &ModelEdge, steps: &mut [EdgeResults]) -> ContactFrame 
         step.contact_half_extent = step
             .contact_half_extent
             .filter(|_| geometry.contact && reaches(&geometry, &step.zones, at));
+        step.slip_lengths = (geometry.contact)
+            .then(|| step.lengths_of_slip(&geometry))
+            .flatten();
         step.friction_force = friction_force(edge, &step.rows, at);
         step.hoop_at_bearing_point =
             interpolated(&geometry, &step.rows, at.unwrap_or(0.0), |row| {

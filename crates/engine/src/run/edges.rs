@@ -374,15 +374,17 @@ fn summarise(
         .pair
         .is_some_and(|pair| carries_friction(contacts, state, pair));
     let extent = half_extent(&zones, closed);
-    let (resultant, normal) = edge.pair.map_or_else(Default::default, |pair| {
+    let (resultant, normal, work) = edge.pair.map_or_else(Default::default, |pair| {
         let [x, y] = reported.sums[pair].resultant;
         let whole = match (half, edge.geometry.kind) {
             (false, _) => [x, y],
             (true, EdgeKind::Circle { .. }) => [2.0 * x, 0.0],
             (true, EdgeKind::Line) => [0.0, 2.0 * y],
         };
-        (whole, reported.sums[pair].normal)
+        let work = reported.friction_work[pair];
+        (whole, reported.sums[pair].normal, work)
     });
+    let both = if half { 2.0 } else { 1.0 };
     EdgeResults {
         contact_half_extent: extent,
         stick_half_extent: extent.filter(|_| rubs),
@@ -392,11 +394,13 @@ fn summarise(
             &edge.geometry,
         ),
         resultant,
-        normal_force: if half { 2.0 } else { 1.0 } * normal,
+        normal_force: both * normal,
+        friction_work: both * work,
         rows,
         zones,
         // What `bearing::find` fills.
         bearing: None,
+        slip_lengths: None,
         peak_pressure: None,
         peak_hoop: None,
         hoop_at_bearing_point: None,

@@ -50,7 +50,7 @@ pub(super) fn climb(
         .accuracy
         .or(models.is_free().then_some(Accuracy::DEFAULT));
     let mut climb = Climb {
-        asked: asked.map(Accuracy::share),
+        asked,
         start: scene.host().seconds(),
         rungs: Vec::new(),
         scene,
@@ -85,7 +85,7 @@ pub(super) fn climb(
 struct Climb<'a> {
     scene: &'a Scene,
     models: Models<'a>,
-    asked: Option<f64>,
+    asked: Option<Accuracy>,
     start: f64,
     rungs: Vec<Rung>,
 }
@@ -118,10 +118,9 @@ impl Climb<'_> {
         };
         self.record(&deformed, None);
         let errors = geometry::errors(&difference(&deformed, &small));
-        let worst = worst(&small, &errors);
-        let asked = self.asked.unwrap_or(Accuracy::DEFAULT.share());
-        let matters = worst.is_some_and(|(error, _)| error > GEOMETRY_SHARE * asked);
-        let reason = Geometry::reason(worst, matters);
+        let worst = worst(&small, &errors, self.bounds());
+        let matters = worst.is_some_and(|worst| worst.part > GEOMETRY_SHARE);
+        let reason = Geometry::reason(worst.map(Worst::named), matters);
         Ok(if matters {
             self.models.kinematics = KinematicsChoice::DeformedGaps;
             let errors = Table::new();
@@ -164,15 +163,19 @@ impl Climb<'_> {
             let finer = self.models.level(1, 2 * base.substeps, progress)?;
             let change = difference(&finer, &base);
             let left = changes.halved(change, &finer.steps);
-            let worst = worst(&finer, &left).map_or(0.0, |(error, _)| error);
+            let worst = worst(&finer, &left, self.bounds()).map_or(0.0, |worst| worst.part);
             self.record(&finer, None);
-            let asked = self.asked.map(|asked| PATH_SHARE * asked);
-            let is_fine = asked.is_none_or(|asked| worst <= asked);
+            let is_fine = self.asked.is_none() || worst <= PATH_SHARE;
             if is_fine || finer.substeps >= INCREMENTS || self.is_spent(&finer) {
                 return Ok((finer, left));
             }
             base = finer;
         }
+    }
+
+    /// What bounds the errors that are compared.
+    fn bounds(&self) -> Accuracy {
+        self.asked.unwrap_or(Accuracy::DEFAULT)
     }
 
     fn record(&mut self, level: &Level, error: Option<(f64, Stated)>) {
@@ -187,18 +190,15 @@ impl Climb<'_> {
     /// Records the last of `levels`, and says why the climb ends there, if it does.
     fn end(&mut self, levels: &[Level], errors: &Table) -> Option<LadderEnd> {
         let last = levels.last()?;
-        let error = worst(last, errors);
+        let worst = worst(last, errors, self.bounds());
+        let error = worst.map(Worst::named);
         let is_known =
             |rung: &Rung| (&rung.model, rung.increments) == (&last.describe(), last.substeps);
         match self.rungs.iter_mut().rev().find(|rung| is_known(rung)) {
             Some(rung) => rung.error = error,
             None => self.record(last, error),
         }
-        let reached = match (self.asked, error) {
-            (Some(asked), Some((error, _))) => error <= asked,
-            (Some(_), None) => true,
-            (None, _) => false,
-        };
+        let reached = self.asked.is_some() && worst.is_none_or(|worst| worst.part <= 1.0);
         if reached {
             Some(LadderEnd::Reached)
         } else if self.models.division() == Division::Pinned {
@@ -248,12 +248,16 @@ impl Climb<'_> {
     }
 }
 
-/// The differences of the numbers of two levels.
+/// The differences of the numbers of two levels. Extents and pressures of a contact that is open in the coarse one change from zero.
 fn difference(fine: &Level, coarse: &Level) -> Table {
     let edges = |(step, other): (&Vec<_>, &Vec<_>)| {
         let own = step.iter().zip(other);
         own.map(|(edge, other)| {
-            Errors::of(|stated| Some((stated.value(edge)? - stated.value(other)?).abs()))
+            Errors::of(|stated| {
+                let before = stated.value(other);
+                let before = before.or(stated.vanishes().then_some(0.0));
+                Some((stated.value(edge)? - before?).abs())
+            })
         })
         .collect()
     };
@@ -284,10 +288,25 @@ fn zipped(
     one.iter().enumerate().map(edges).collect()
 }
 
-/// The largest relative error of what an accuracy bounds, and what has it; of contacts, or where there are none of all edges. Stresses are measured by the larger
+/// A relative error beside its bound.
+#[derive(Clone, Copy)]
+struct Worst {
+    error: f64,
+    stated: Stated,
+    /// The error over its bound.
+    part: f64,
+}
+
+impl Worst {
+    fn named(self) -> (f64, Stated) {
+        (self.error, self.stated)
+    }
+}
+
+/// The relative error that is largest beside its bound of `accuracy`; of contacts, or where there are none of all edges. Stresses are measured by the larger
 /// of themselves and of the peak pressure, beside which σ_t may vanish.
-fn worst(level: &Level, errors: &Table) -> Option<(f64, Stated)> {
-    let mut found: Option<(f64, Stated)> = None;
+fn worst(level: &Level, errors: &Table, accuracy: Accuracy) -> Option<Worst> {
+    let mut found: Option<Worst> = None;
     let touches = level.geometries.iter().any(|geometry| geometry.contact);
     for (edge, geometry) in level.geometries.iter().enumerate() {
         if touches && !geometry.contact {
@@ -296,21 +315,31 @@ fn worst(level: &Level, errors: &Table) -> Option<(f64, Stated)> {
         let pressures = level.steps.iter();
         let pressures = pressures.map(|step| Stated::PeakPressure.value(&step[edge]));
         let pressures: Vec<f64> = pressures.map(|peak| peak.unwrap_or(0.0)).collect();
-        for stated in Stated::ASKED {
+        for stated in Stated::ALL {
+            let Some(bound) = stated.bound(accuracy) else {
+                continue;
+            };
             let values = level.steps.iter().map(|step| stated.value(&step[edge]));
             let size = |value: Option<f64>| value.map_or(0.0, f64::abs);
             let largest = values.clone().map(size).fold(0.0, f64::max);
             for ((value, errors), pressure) in values.zip(errors).zip(&pressures) {
                 let scale = match stated {
-                    Stated::FrictionForce => largest,
-                    Stated::PeakHoop => size(value).max(SMALL * largest).max(*pressure),
+                    Stated::FrictionForce | Stated::StickExtent => largest,
+                    Stated::PeakHoop | Stated::HoopAtBearing => {
+                        size(value).max(SMALL * largest).max(*pressure)
+                    }
                     _ => size(value).max(SMALL * largest),
                 };
                 let error = errors.get(edge).and_then(|own| own.get(stated));
                 if let Some(error) = error.filter(|_| scale > 0.0).map(|error| error / scale)
-                    && found.is_none_or(|(most, _)| error > most)
+                    && found.is_none_or(|most| error / bound > most.part)
                 {
-                    found = Some((error, stated));
+                    let part = error / bound;
+                    found = Some(Worst {
+                        error,
+                        stated,
+                        part,
+                    });
                 }
             }
         }

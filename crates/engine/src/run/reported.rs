@@ -30,6 +30,8 @@ pub(super) struct Reported {
     pub(super) slip: DVector<f64>,
     /// Sums of the forces that are left, for each pair.
     pub(super) sums: Vec<PairSums>,
+    /// Work lost to friction in the step, by pair `[force·length]`.
+    pub(super) friction_work: Vec<f64>,
 }
 
 /// All load steps of `records` without rounding.
@@ -51,6 +53,9 @@ pub(super) fn reported(contacts: &Contacts, records: &[StepRecord]) -> Vec<Repor
                 }
             }
             Reported {
+                friction_work: (cuts.iter())
+                    .map(|cut| cut.points.clone().map(|k| record.friction_work[k]).sum())
+                    .collect(),
                 sums: PairSums::of(record.contacts_of(contacts), &state),
                 slip: seen,
                 state,

@@ -148,7 +148,7 @@ impl Solving<'_> {
             work: self.work,
             ..StepRecord::of(&step, linear.solution)
         };
-        let energy = self.energy(contact.dissipation);
+        let energy = self.energy(contact.dissipation());
         let mut bodies = self.equilibrium.bodies;
         for part in self.parts {
             if let Part::History(working) = part {

@@ -59,8 +59,8 @@ fn a_linear_model_gives_the_linear_answer() {
             let off = u.iter().zip(field).map(|(p, q)| (p - q).abs());
             worst_field = worst_field.max(off.fold(0.0, f64::max) / scale);
             assert!(
-                (ours.contact.dissipation - theirs.dissipation).abs()
-                    <= 1e-10 * theirs.dissipation.abs()
+                (ours.contact.dissipation() - theirs.dissipation()).abs()
+                    <= 1e-10 * theirs.dissipation().abs()
             );
         }
         println!("{end:?}: forces {worst_force:.1e}, displacements {worst_field:.1e}");

@@ -9,7 +9,7 @@ use super::quantities::csv_columns;
 use super::{FileNote, OutputError, failure};
 use crate::PutFile;
 use crate::csv::{self, number};
-use stickslip_engine::results::{EdgeRow, Results, StepResults};
+use stickslip_engine::results::{EdgeRow, Results, Stated, StepResults};
 
 /// Hands all CSV files to `put`, one after the other, because those of a long history are many; what they hold.
 pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {
@@ -127,8 +127,17 @@ fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> StepColumns<'a> {
     let axes = ["x", "y"].into_iter().enumerate();
     axes.fold(columns, |columns, (axis, name)| {
         let name = format!("{prefix}resultant_{name}");
-        columns.with(name, force.name, move |step| {
+        let error = format!("{name}_error");
+        let columns = columns.with(name, force.name, move |step| {
             number(force.from_base(edge.step(step).resultant[axis]))
+        });
+        if edge.results().ladder.is_none() {
+            return columns;
+        }
+        let stated = [Stated::ResultantX, Stated::ResultantY][axis];
+        columns.with(error, force.name, move |step| {
+            let error = edge.step(step).errors.get(stated);
+            error.map_or(String::new(), |error| number(force.from_base(error)))
         })
     })
 }

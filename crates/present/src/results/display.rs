@@ -1,7 +1,7 @@
 //! Results as a reader wants them: places in degrees or lengths, stresses and loads in the scene's units, short numbers.
 
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{EdgeGeometry, EdgeKind, EdgeResults, Results};
+use stickslip_engine::results::{EdgeGeometry, EdgeKind, EdgeResults, Results, Stated};
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_text::short;
 
@@ -174,7 +174,7 @@ impl<'a> EdgeView<'a> {
 
     /// The point from which slip and friction of a step are judged: its own bearing point, or that of the frame.
     pub(super) fn judged_from(&self, step: usize) -> Option<f64> {
-        self.step(step).bearing.or(self.geometry.frame.bearing)
+        self.step(step).judged_from(self.geometry)
     }
 
     /// What the two directions of slip are called: about a bearing point, away from it and towards it; otherwise along +e_t and −e_t.
@@ -191,12 +191,22 @@ impl<'a> EdgeView<'a> {
         self.units().stress.from_base(stress)
     }
 
+    /// A work `[N·mm]` in display units.
+    pub(super) fn work(&self, work: f64) -> f64 {
+        energy(self.units(), work)
+    }
+
     /// Bearing stress `[MPa]` in a step; `None` where the pressures balance each other, as around an unloaded pin with interference.
     pub(super) fn bearing(&self, step: usize) -> Option<f64> {
         let edge = self.step(step);
         let [x, y] = edge.resultant;
         let balanced = x.hypot(y) <= ROUNDING * edge.normal_force;
         edge.bearing_stress(self.geometry).filter(|_| !balanced)
+    }
+
+    /// The estimated error of [`Self::bearing`] `[MPa]`.
+    pub(super) fn bearing_error(&self, step: usize) -> Option<f64> {
+        Some(self.step(step).resultant_error()? / self.geometry.bearing_area?)
     }
 
     /// Whether any step has a bearing stress; a press fit without a pull has none.
@@ -225,6 +235,15 @@ impl<'a> EdgeView<'a> {
         (self.friction_force(step).filter(|_| normal > 0.0)).map(|friction| friction / normal)
     }
 
+    /// The estimated error of [`Self::friction_ratio`].
+    pub(super) fn friction_ratio_error(&self, step: usize) -> Option<f64> {
+        let edge = self.step(step);
+        let ratio = self.friction_ratio(step)?.abs();
+        let friction = edge.errors.get(Stated::FrictionForce)?;
+        let normal = edge.errors.get(Stated::NormalForce)?;
+        Some((friction + ratio * normal) / edge.normal_force)
+    }
+
     /// What [`Self::friction_ratio`] is called.
     pub(super) fn friction_symbol(&self) -> &'static str {
         if self.is_circle() {
@@ -233,6 +252,16 @@ impl<'a> EdgeView<'a> {
             "Q/N"
         }
     }
+}
+
+/// What works are given in.
+pub(super) fn energy_unit(units: DisplayUnits) -> String {
+    format!("{} {}", units.force.name, units.length.name)
+}
+
+/// A work `[N·mm]` in [`energy_unit`].
+pub(super) fn energy(units: DisplayUnits, work: f64) -> f64 {
+    units.length.from_base(units.force.from_base(work))
 }
 
 /// Whether a range lies evenly about zero.

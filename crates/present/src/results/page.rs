@@ -14,7 +14,7 @@ use super::progressive::{self, ProgressiveView};
 use super::tables::{self, Detail};
 use super::zones::{contact_ranges, stick_ranges};
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{Results, StepResults};
+use stickslip_engine::results::{Results, Stated, StepResults};
 use stickslip_text::{counted, decimals, short, significant};
 
 /// The page of `results` with its figures; `failures` are figures that could not be drawn.
@@ -189,8 +189,14 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<Row> {
     let mut add = |name: String, value: String| rows.push((name, value));
     let record = edge.step(step);
     let unit = edge.units().stress.name;
-    let stress = |value: f64| {
-        let absolute = format!("{} {unit}", significant(edge.stress(value), 5));
+    let margin = |error: Option<f64>| {
+        error.map_or(String::new(), |error| {
+            format!(" ± {}", significant(edge.stress(error), 2))
+        })
+    };
+    let stress = |value: f64, error: Option<f64>| {
+        let value_shown = significant(edge.stress(value), 5);
+        let absolute = format!("{value_shown}{} {unit}", margin(error));
         match edge.bearing(step).filter(|_| edge.geometry.contact) {
             Some(bearing) => format!("{absolute} = {} σ_b", decimals(Some(value / bearing), 3)),
             None => absolute,
@@ -199,7 +205,11 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<Row> {
     if let Some(bearing) = edge.bearing(step).filter(|_| edge.geometry.contact) {
         add(
             "Bearing stress σ_b".into(),
-            format!("{} {unit}", significant(edge.stress(bearing), 5)),
+            format!(
+                "{}{} {unit}",
+                significant(edge.stress(bearing), 5),
+                margin(edge.bearing_error(step))
+            ),
         );
     }
     if let Some(bearing) = edge.geometry.frame.bearing.filter(|_| edge.is_circle()) {
@@ -216,18 +226,24 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<Row> {
     if let Some((pressure, place)) = record.peak_pressure {
         add(
             "Largest pressure".into(),
-            format!("{} at {}", stress(pressure), edge.at(place)),
+            format!(
+                "{} at {}",
+                stress(pressure, record.errors.get(Stated::PeakPressure)),
+                edge.at(place)
+            ),
         );
     }
     if let Some((hoop, place)) = record.peak_hoop {
         let name = format!("Largest {}", edge.stress_symbols()[1]);
-        let cusp = record.peak_hoop_uncertainty;
-        let margin = cusp.map_or(String::new(), |value| {
-            format!(" (± {} {unit})", significant(edge.stress(value), 2))
-        });
+        let estimated = record.errors.get(Stated::PeakHoop);
+        let error = if edge.results().ladder.is_some() {
+            estimated
+        } else {
+            record.peak_hoop_uncertainty
+        };
         add(
             name,
-            format!("{}{margin} at {}", stress(hoop), edge.at(place)),
+            format!("{} at {}", stress(hoop, error), edge.at(place)),
         );
     }
     if let Some(ratio) = edge.friction_ratio(step) {

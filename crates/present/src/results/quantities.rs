@@ -1,12 +1,14 @@
 //! The numbers of an edge at the end of a load step. Each is declared once: `summary.json`, `steps.csv` and the tables of load steps show
 //! what stands here, in this order.
 
+use std::borrow::Cow;
+
 use serde::{Serialize, Serializer};
 use stickslip_engine::results::Stated;
 use stickslip_report::table::Columns;
 use stickslip_text::{decimals, short, significant, tidy};
 
-use super::display::EdgeView;
+use super::display::{EdgeView, energy_unit};
 use super::quantity::Quantity;
 use crate::csv::number;
 
@@ -20,8 +22,25 @@ pub(super) struct EdgeQuantity {
     heading: Option<fn(&EdgeView<'_>) -> String>,
     /// The number in base units.
     value: Value,
-    /// The number whose estimated error is its own.
-    stated: Option<Stated>,
+    /// Its estimated error in base units, of a ratio that of what is divided.
+    error: Option<ErrorOf>,
+}
+
+/// An estimated error.
+#[derive(Clone, Copy)]
+enum ErrorOf {
+    Stated(Stated),
+    /// That of the resultant over the bearing area.
+    BearingStress,
+}
+
+impl ErrorOf {
+    fn of(self, edge: &EdgeView<'_>, step: usize) -> Option<f64> {
+        match self {
+            Self::Stated(stated) => edge.step(step).errors.get(stated),
+            Self::BearingStress => edge.bearing_error(step),
+        }
+    }
 }
 
 /// What a number measures.
@@ -35,6 +54,10 @@ enum Kind {
     Place,
     /// Half of a length along the edge `[rad or mm]`.
     Half,
+    /// Total length of slip zones `[rad or mm]`.
+    Slip,
+    /// `[N·mm]`.
+    Work,
     /// A stress over the bearing stress; in `summary.json` and full tables only.
     Ratio,
 }
@@ -51,9 +74,17 @@ enum Edges {
 
 // The path of a method names one lifetime of a view, a closure takes all.
 #[allow(clippy::redundant_closure_for_method_calls)]
-static QUANTITIES: [EdgeQuantity; 15] = [
+static QUANTITIES: [EdgeQuantity; 18] = [
     half("contact", |edge, step| edge.step(step).contact_half_extent).stated(Stated::ContactExtent),
     half("stick", |edge, step| edge.step(step).stick_half_extent).stated(Stated::StickExtent),
+    slip("slip_away", |edge, step| {
+        Some(edge.step(step).slip_lengths?[0])
+    })
+    .stated(Stated::SlipAway),
+    slip("slip_towards", |edge, step| {
+        Some(edge.step(step).slip_lengths?[1])
+    })
+    .stated(Stated::SlipTowards),
     place("bearing", |edge, step| edge.step(step).bearing).stated(Stated::Bearing),
     stress("peak_pressure", 5, |edge, step| {
         Some(edge.step(step).peak_pressure?.0)
@@ -70,7 +101,9 @@ static QUANTITIES: [EdgeQuantity; 15] = [
     })
     .stated(Stated::PeakPressurePlace)
     .headed(at),
-    stress("bearing_stress", 5, |edge, step| edge.bearing(step)).on(Edges::Bearing),
+    stress("bearing_stress", 5, |edge, step| edge.bearing(step))
+        .with_error(ErrorOf::BearingStress)
+        .on(Edges::Bearing),
     stress("peak_hoop", 5, |edge, step| {
         Some(edge.step(step).peak_hoop?.0)
     })
@@ -107,6 +140,10 @@ static QUANTITIES: [EdgeQuantity; 15] = [
         (edge.geometry.contact).then_some(edge.step(step).normal_force)
     })
     .stated(Stated::NormalForce),
+    EdgeQuantity::new("friction_work", Kind::Work, |edge, step| {
+        Some(edge.step(step).friction_work)
+    })
+    .stated(Stated::FrictionWork),
 ];
 
 /// The number of an edge in a step in base units.
@@ -114,6 +151,10 @@ type Value = fn(&EdgeView<'_>, usize) -> Option<f64>;
 
 const fn half(name: &'static str, value: Value) -> EdgeQuantity {
     EdgeQuantity::new(name, Kind::Half, value)
+}
+
+const fn slip(name: &'static str, value: Value) -> EdgeQuantity {
+    EdgeQuantity::new(name, Kind::Slip, value)
 }
 
 const fn place(name: &'static str, value: Value) -> EdgeQuantity {
@@ -146,7 +187,7 @@ pub(super) fn csv_columns<'a>(edge: EdgeView<'a>, prefix: &str) -> Columns<'a, u
         let columns = columns.with(name, own.unit(&edge), move |step| {
             own.shown(&edge, step).map_or(String::new(), number)
         });
-        if own.stated.is_some() && edge.results().ladder.is_some() {
+        if own.error.is_some() && edge.results().ladder.is_some() {
             columns.with(error, own.unit(&edge), move |step| {
                 own.error(&edge, step).map_or(String::new(), number)
             })
@@ -179,13 +220,17 @@ impl EdgeQuantity {
             edges: Edges::Contacts,
             heading: None,
             value,
-            stated: None,
+            error: None,
         }
     }
 
     /// Shows the estimated error of `stated` beside the number.
-    const fn stated(mut self, stated: Stated) -> Self {
-        self.stated = Some(stated);
+    const fn stated(self, stated: Stated) -> Self {
+        self.with_error(ErrorOf::Stated(stated))
+    }
+
+    const fn with_error(mut self, error: ErrorOf) -> Self {
+        self.error = Some(error);
         self
     }
 
@@ -212,13 +257,15 @@ impl EdgeQuantity {
         }
     }
 
-    fn unit(&self, edge: &EdgeView<'_>) -> &'static str {
-        match self.kind {
+    fn unit(&self, edge: &EdgeView<'_>) -> Cow<'static, str> {
+        let name = match self.kind {
+            Kind::Work => return energy_unit(edge.units()).into(),
             Kind::Stress(_) => edge.units().stress.name,
             Kind::Force => edge.units().force.name,
-            Kind::Place | Kind::Half => edge.place_unit(),
+            Kind::Place | Kind::Half | Kind::Slip => edge.place_unit(),
             Kind::Ratio => "–",
-        }
+        };
+        name.into()
     }
 
     /// The number in display units.
@@ -230,20 +277,25 @@ impl EdgeQuantity {
         Some(match self.kind {
             Kind::Stress(_) => edge.stress(value),
             Kind::Force => edge.units().force.from_base(value),
-            Kind::Place | Kind::Half => edge.length(value),
+            Kind::Work => edge.work(value),
+            Kind::Place | Kind::Half | Kind::Slip => edge.length(value),
             Kind::Ratio => value,
         })
     }
 
     /// Its estimated error in display units.
     fn error(&self, edge: &EdgeView<'_>, step: usize) -> Option<f64> {
-        let error = edge.step(step).errors.get(self.stated?)?;
-        self.shown(edge, step)?;
+        let error = self.error?.of(edge, step)?;
+        let shown = self.shown(edge, step)?;
         Some(match self.kind {
             Kind::Stress(_) => edge.stress(error),
             Kind::Force => edge.units().force.from_base(error),
-            Kind::Place | Kind::Half => edge.length(error),
-            Kind::Ratio => error / edge.bearing(step)?,
+            Kind::Place | Kind::Half | Kind::Slip => edge.length(error),
+            Kind::Work => edge.work(error),
+            Kind::Ratio => {
+                let own = ErrorOf::BearingStress.of(edge, step)?;
+                (error + shown.abs() * own) / edge.bearing(step)?
+            }
         })
     }
 
@@ -262,9 +314,9 @@ impl EdgeQuantity {
         let digits = |digits| value.map_or("–".into(), |value| significant(value, digits));
         match self.kind {
             Kind::Stress(count) => digits(count),
-            Kind::Force => digits(5),
-            Kind::Place | Kind::Half if edge.is_circle() => decimals(value, 1),
-            Kind::Place | Kind::Half => value.map_or("–".into(), short),
+            Kind::Force | Kind::Work => digits(5),
+            Kind::Place | Kind::Half | Kind::Slip if edge.is_circle() => decimals(value, 1),
+            Kind::Place | Kind::Half | Kind::Slip => value.map_or("–".into(), short),
             Kind::Ratio => decimals(value, 3),
         }
     }
@@ -275,9 +327,17 @@ impl EdgeQuantity {
             (Kind::Place, false) => "_position",
             (Kind::Half, true) => "_half_angle",
             (Kind::Half, false) => "_half_width",
+            (Kind::Slip, true) => "_angle",
+            (Kind::Slip, false) => "_width",
             _ => "",
         };
-        format!("{}{ending}", self.name)
+        let along_edge = edge.slip_names()[0] == "slip +";
+        let name = match self.name {
+            "slip_away" if along_edge => "slip_plus",
+            "slip_towards" if along_edge => "slip_minus",
+            name => name,
+        };
+        format!("{name}{ending}")
     }
 }
 
@@ -297,7 +357,7 @@ impl SummaryQuantities {
     pub(super) fn of(edge: &EdgeView<'_>, step: usize) -> Self {
         let here = |own: &&EdgeQuantity| own.edges != Edges::Bearing || edge.is_circle();
         let entry = |own: &EdgeQuantity, name: String, value: Option<f64>| match (own.kind, value) {
-            (Kind::Place | Kind::Half, _) if edge.is_circle() => {
+            (Kind::Place | Kind::Half | Kind::Slip, _) if edge.is_circle() => {
                 (name + "_deg", Number::Plain(value.and_then(tidy)))
             }
             (Kind::Ratio, _) | (_, None) => (name, Number::Plain(value.and_then(tidy))),
@@ -305,7 +365,7 @@ impl SummaryQuantities {
         };
         let entries = |own: &EdgeQuantity| {
             let name = own.file_name(edge);
-            let error = own.stated.filter(|_| edge.results().ladder.is_some());
+            let error = own.error.filter(|_| edge.results().ladder.is_some());
             let error = error.map(|_| entry(own, format!("{name}_error"), own.error(edge, step)));
             std::iter::once(entry(own, name, own.shown(edge, step))).chain(error)
         };
@@ -333,12 +393,14 @@ mod tests {
             contact_half_extent: _,
             bearing: _,
             stick_half_extent: _,
+            slip_lengths: _,
             peak_pressure: _,
             peak_hoop: _,
             peak_hoop_uncertainty: _,
             hoop_at_bearing_point: _,
             friction_force: _,
             normal_force: _,
+            friction_work: _,
             errors: _,
         } = EdgeResults::default();
     }

@@ -7,22 +7,23 @@ use std::collections::BTreeMap;
 use stickslip_contact::Status;
 use stickslip_contact::history::Difference;
 
-use super::display::EdgeView;
+use super::display::{EdgeView, energy, energy_unit};
 use super::failure::{self, FailureView};
 use super::findings;
 use super::quantities::SummaryQuantities;
 use super::quantity::Quantity;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};
 use keys::{
-    Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
-    OwnEdgeStep, Program, SlipZone, SolverNotes, Sought, Step, Summary, Tried, Units, Vector,
-    Zones,
+    Asked, Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load,
+    OtherAnswer, OwnEdgeStep, Program, SlipZone, SolverNotes, Sought, Step, Summary, Tried, Units,
+    Vector, Zones,
 };
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{
-    BearingSource, EdgeKind, Ladder, LadderEnd, LoadValue, Results, Rung, StepNotes,
+    BearingSource, EdgeKind, EdgeResults, Ladder, LadderEnd, LoadValue, Results, Rung, Stated,
+    StepNotes,
 };
-use stickslip_scene::schema::DisplayUnits;
+use stickslip_scene::schema::{Accuracy, DisplayUnits};
 use stickslip_text::tidy;
 
 /// The summary of `results`, which are consistent.
@@ -81,7 +82,7 @@ fn sought(ladder: &Ladder) -> Sought {
         wall_time_s: microseconds(rung.seconds),
     };
     Sought {
-        asked: ladder.asked,
+        asked: ladder.asked.map(asked),
         end: match ladder.end {
             LadderEnd::Reached => "reached",
             LadderEnd::Pinned => "pinned",
@@ -92,13 +93,20 @@ fn sought(ladder: &Ladder) -> Sought {
     }
 }
 
+/// The relative errors that are asked for.
+fn asked(accuracy: Accuracy) -> Asked {
+    match accuracy {
+        Accuracy::Overall(error) => Asked::Overall(error.share()),
+        Accuracy::Named(bounds) => {
+            let named = bounds.entries();
+            Asked::Named(named.map(|(name, error)| (name, error.share())).collect())
+        }
+    }
+}
+
 /// A time `[s]` to the microsecond.
 fn microseconds(seconds: f64) -> f64 {
     (seconds * 1e6).round() / 1e6
-}
-
-fn energy_unit(units: DisplayUnits) -> String {
-    format!("{} {}", units.force.name, units.length.name)
 }
 
 fn choice(choice: &stickslip_engine::results::Choice) -> Choice<'_> {
@@ -212,14 +220,14 @@ fn step_entry<'a>(
         balance_residual: tidy(step.balance_residual),
         complementarity_residual: tidy(step.residuals.complementarity),
         cone_violation: tidy(step.residuals.cone),
-        dissipation: Quantity::new(
-            units
-                .length
-                .from_base(units.force.from_base(step.dissipation)),
-            energy_unit(units),
-        ),
+        dissipation: work(units, step.dissipation),
+        dissipation_error: (step.dissipation_error(&results.edges)).map(|error| work(units, error)),
         wall_time_s: microseconds(step.seconds),
     }
+}
+
+fn work(units: DisplayUnits, work: f64) -> Quantity {
+    Quantity::new(energy(units, work), energy_unit(units))
 }
 
 /// The load of a step; `None` where only its number distinguishes the step.
@@ -275,7 +283,15 @@ fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
         fewest_contact_nodes: edge.fewest_contact_nodes(view.geometry),
         contact_resolved: edge.is_resolved(view.geometry),
         resultant: (view.geometry.contact).then(|| Vector::of(view.units().force, edge.resultant)),
+        resultant_error: resultant_errors(edge)
+            .filter(|_| view.geometry.contact)
+            .map(|errors| Vector::of(view.units().force, errors)),
     }
+}
+
+fn resultant_errors(edge: &EdgeResults) -> Option<[f64; 2]> {
+    let [x, y] = [Stated::ResultantX, Stated::ResultantY].map(|stated| edge.errors.get(stated));
+    Some([x?, y?])
 }
 
 fn zones(view: &EdgeView<'_>, step: usize) -> Zones {

@@ -6,7 +6,6 @@ mod signs;
 pub use signs::signs;
 pub(super) use signs::signs_table;
 
-use stickslip_contact::Status;
 use stickslip_fem_core::mesh::Mesh;
 use stickslip_report::table::{Columns, Table};
 
@@ -15,10 +14,11 @@ use super::display::{EdgeView, even};
 use super::failure::{self, FailureView};
 use super::progressive::{self, ProgressiveView};
 use super::quantities::table_columns;
-use super::zones::{contact_reach, stick_ranges, zone_length};
+use super::zones::{contact_reach, stick_ranges};
 use fit::fitted;
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{BodySummary, Choice, LadderEnd, Results, Rung, Stated};
+use stickslip_scene::schema::Accuracy;
 use stickslip_text::{decimals, short, significant};
 
 /// The load steps for a terminal of `width` columns.
@@ -126,13 +126,26 @@ fn along(edge: EdgeView<'_>, value: Option<f64>) -> String {
     }
 }
 
+/// The cell of a length or place with its estimated error in brackets, where it has both.
+fn bracketed(edge: EdgeView<'_>, step: usize, stated: Stated, cell: String) -> String {
+    let results = edge.step(step);
+    let error = stated
+        .value(results)
+        .and_then(|_| results.errors.get(stated));
+    match error {
+        Some(error) => format!("{cell} ({})", significant(edge.length(error), 1)),
+        None => cell,
+    }
+}
+
 /// Contact, stick and slip: half-extents where all lies evenly about the bearing point, otherwise both ends.
 fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
     let unit = edge.place_unit();
     let mut columns = StepColumns::new();
     if wanders(&edge) {
         columns = columns.with("bears at", unit, move |step| {
-            along(edge, edge.bearing_point(step))
+            let cell = along(edge, edge.bearing_point(step));
+            bracketed(edge, step, Stated::Bearing, cell)
         });
     }
     let half = move |value: Option<f64>| along(edge, value.map(|value| edge.length(value)));
@@ -141,12 +154,8 @@ fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
         format!("{} … {}", digits(start), digits(end))
     };
     let with_error = move |step: usize, stated: Stated| {
-        let edge_step = edge.step(step);
-        let cell = half(stated.value(edge_step));
-        match edge_step.errors.get(stated) {
-            Some(error) => format!("{cell} ({})", significant(edge.length(error), 1)),
-            None => cell,
-        }
+        let cell = half(stated.value(edge.step(step)));
+        bracketed(edge, step, stated, cell)
     };
     columns = if lies_evenly(&edge) {
         columns
@@ -170,14 +179,16 @@ fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
                 }
             })
     };
-    let slip = move |status| move |step| along(edge, zone_length(&edge, step, status));
+    let slip = move |stated| move |step| with_error(step, stated);
     let [positive, negative] = edge.slip_names().map(|name| {
         // Signs stand close to their name in the narrow columns of a table.
         name.replace(" +", "+").replace(" −", "−")
     });
-    columns
-        .with(positive, unit, slip(Status::SlipPositive))
-        .with(negative, unit, slip(Status::SlipNegative))
+    columns.with(positive, unit, slip(Stated::SlipAway)).with(
+        negative,
+        unit,
+        slip(Stated::SlipTowards),
+    )
 }
 
 /// Whether the bearing point of a circle moves by what a reader can see.
@@ -202,7 +213,13 @@ fn work_columns(edge: EdgeView<'_>, full: bool) -> StepColumns<'_> {
         record(step).work.solves.to_string()
     });
     if full {
-        let ratio = move |step| decimals(edge.friction_ratio(step), 4);
+        let ratio = move |step| {
+            let cell = decimals(edge.friction_ratio(step), 4);
+            match edge.friction_ratio_error(step) {
+                Some(error) => format!("{cell} ± {}", significant(error, 2)),
+                None => cell,
+            }
+        };
         columns = columns.with(edge.friction_symbol(), "–", ratio);
     }
     columns
@@ -230,9 +247,8 @@ pub(super) fn choices(results: &Results) -> Table {
 /// The models that were tried for an accuracy, with their errors; none where none was sought.
 pub(super) fn ladder(results: &Results) -> Option<Table> {
     let ladder = results.ladder.as_ref()?;
-    let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
     let asked = ladder.asked.map_or("no accuracy asked".into(), |asked| {
-        format!("{} asked, {}", percent(asked), end(ladder.end))
+        format!("{} asked, {}", describe(asked), end(ladder.end))
     });
     let row = |rung: &Rung| {
         let (error, of) = rung.error.map_or(("–".into(), ""), |(error, stated)| {
@@ -249,6 +265,23 @@ pub(super) fn ladder(results: &Results) -> Option<Table> {
     let headings = "model | increments | largest error | of | time [ms]";
     let caption = format!("Models tried: {asked}");
     Some(Table::headed(caption, headings).with_rows(ladder.rungs.iter().map(row)))
+}
+
+/// A relative error as "0.1 %".
+fn percent(share: f64) -> String {
+    format!("{} %", significant(100.0 * share, 2))
+}
+
+/// What is asked: "1 %", or "peak pressure 0.1 %, extent of contact 0.5 %".
+fn describe(asked: Accuracy) -> String {
+    if let Accuracy::Overall(error) = asked {
+        return percent(error.share());
+    }
+    let named = Stated::ALL.into_iter().filter_map(|stated| {
+        let bound = stated.bound(asked)?;
+        Some(format!("{} {}", stated.describe(), percent(bound)))
+    });
+    named.collect::<Vec<_>>().join(", ")
 }
 
 fn end(end: LadderEnd) -> &'static str {

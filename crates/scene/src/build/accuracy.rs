@@ -3,16 +3,26 @@
 use super::Builder;
 use crate::document::child;
 use crate::format::SceneFormat;
-use crate::schema::{Analysis, BodyModel, Substance};
+use crate::schema::{Accuracy, Analysis, BodyModel, RelativeError, Substance};
 
 impl Builder<'_> {
     /// Refuses an accuracy that no run can have, and a budget without one.
     pub(super) fn demand(&mut self, analysis: &Analysis) {
-        if let Some(accuracy) = analysis.accuracy
-            && !accuracy.is_in_range()
-        {
-            let allowed = "a relative error of at least 1e-8 and at most 50 %";
-            self.out_of_range("analysis.accuracy", &format!("\"{accuracy}\""), allowed);
+        const KEY: &str = "analysis.accuracy";
+        match analysis.accuracy {
+            Some(Accuracy::Overall(error)) => self.askable(KEY, error),
+            Some(Accuracy::Named(bounds)) => {
+                if bounds.entries().next().is_none() {
+                    let message = "the table accuracy names no number";
+                    let remedy =
+                        "name one, for example peak_pressure = \"0.1 %\", or remove accuracy";
+                    self.conflict(KEY, message, remedy);
+                }
+                for (name, error) in bounds.entries() {
+                    self.askable(&child(KEY, name), error);
+                }
+            }
+            None => {}
         }
         let Some(budget) = analysis.budget else {
             return;
@@ -24,6 +34,13 @@ impl Builder<'_> {
             let message = "a budget ends the search for an accuracy, and none is asked for";
             let remedy = "add analysis.accuracy, for example accuracy = \"1 %\", or remove budget";
             self.conflict("analysis.budget", message, remedy);
+        }
+    }
+
+    fn askable(&mut self, key: &str, error: RelativeError) {
+        if !error.is_in_range() {
+            let allowed = "a relative error of at least 1e-8 and at most 50 %";
+            self.out_of_range(key, &format!("\"{error}\""), allowed);
         }
     }
 

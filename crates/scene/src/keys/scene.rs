@@ -56,8 +56,11 @@ pub(super) const TABLES: &[Table] = &[
         words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`, `"quadratic"` where the program chooses sub-steps"#, r#""quadratic""#,
             "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \
             contact spreads fastest; later steps are linear"),
-        words("accuracy", "percentage or number, 1e-8 to 0.5", "`\"1 %\"` without a mesh", r#""0.1 %""#,
-            "largest relative error that is asked for; bodies and steps are divided until the estimated errors are below it"),
+        words("accuracy", "percentage or number, 1e-8 to 0.5, or a table of these", "`\"1 %\"` without a mesh", r#"{ peak_pressure = "0.1 %" }"#,
+            "largest relative error that is asked for; bodies and steps are divided until the estimated errors of peak pressure, peak \
+            tangential stress, extent of contact and friction force are below it; or those of the numbers that a table names, each \
+            with its own: `peak_pressure`, `peak_hoop`, `contact_extent`, `stick_extent`, `friction_force`, `normal_force`, \
+            `hoop_at_bearing`"),
         words("budget", "time", "no limit", r#""10 s""#,
             "time after which no finer model is tried; the result then states the error that it has; needs `accuracy`"),
         integer("contact_nodes", "by the accuracy", "61",

@@ -27,7 +27,7 @@ pub struct Analysis {
     pub substeps: usize,
     /// How the load grows within the first step.
     pub ramp: Ramp,
-    /// Largest error that is asked for; [`Accuracy::DEFAULT`] where no mesh is given.
+    /// Largest errors that are asked for; [`Accuracy::DEFAULT`] where no mesh is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
     /// Time within which the accuracy is to be reached.

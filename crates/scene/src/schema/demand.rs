@@ -3,40 +3,93 @@
 use std::fmt;
 use std::marker::PhantomData;
 
-use serde::de::{Deserialize, Deserializer, Error, Visitor};
-use serde::{Serialize, Serializer};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, Error, MapAccess, Visitor};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// Units of time with their length in seconds.
 const TIMES: [(&str, f64); 4] = [("ms", 1e-3), ("s", 1.0), ("min", 60.0), ("h", 3600.0)];
 
-/// Largest error that is asked for, relative to the quantity: `"1 %"` or `0.01`.
+/// An error relative to its number: `"1 %"` or `0.01`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Accuracy(f64);
+pub struct RelativeError(f64);
+
+/// Largest errors that are asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Accuracy {
+    /// One for peak pressure, peak tangential stress, extent of contact and friction force.
+    Overall(RelativeError),
+    /// Those of named numbers; others are not bounded.
+    Named(Bounds),
+}
+
+/// Errors of numbers of a contact that are asked for, under the names that scenes give them.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Bounds {
+    /// Largest pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_pressure: Option<RelativeError>,
+    /// Largest tangential stress.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_hoop: Option<RelativeError>,
+    /// Extent of contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_extent: Option<RelativeError>,
+    /// Extent of stick.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stick_extent: Option<RelativeError>,
+    /// Friction force.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_force: Option<RelativeError>,
+    /// Normal force.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub normal_force: Option<RelativeError>,
+    /// Tangential stress at the bearing point.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hoop_at_bearing: Option<RelativeError>,
+}
 
 /// Time that a run may take: `"10 s"`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Budget(f64);
 
-impl Accuracy {
-    /// What is taken where neither an accuracy nor a mesh is given: 1 %.
-    pub const DEFAULT: Self = Self(0.01);
-    /// Least and largest accuracy that can be asked for.
+impl RelativeError {
+    /// Least and largest one that can be asked for.
     pub const RANGE: [f64; 2] = [1e-8, 0.5];
 
-    /// The accuracy `share`, relative; `None` outside of [`RANGE`](Self::RANGE).
-    pub fn of(share: f64) -> Option<Self> {
-        let [least, most] = Self::RANGE;
-        (least..=most).contains(&share).then_some(Self(share))
-    }
-
-    /// Relative error.
+    /// The error as a part of its number.
     pub fn share(self) -> f64 {
         self.0
     }
 
     /// Whether it can be asked for.
     pub(crate) fn is_in_range(self) -> bool {
-        Self::of(self.0).is_some()
+        let [least, most] = Self::RANGE;
+        (least..=most).contains(&self.0)
+    }
+}
+
+impl Accuracy {
+    /// What is taken where neither an accuracy nor a mesh is given: 1 %.
+    pub const DEFAULT: Self = Self::Overall(RelativeError(0.01));
+}
+
+impl Bounds {
+    /// What is asked for, each with its name in scenes.
+    pub fn entries(&self) -> impl Iterator<Item = (&'static str, RelativeError)> {
+        let all = [
+            ("peak_pressure", self.peak_pressure),
+            ("peak_hoop", self.peak_hoop),
+            ("contact_extent", self.contact_extent),
+            ("stick_extent", self.stick_extent),
+            ("friction_force", self.friction_force),
+            ("normal_force", self.normal_force),
+            ("hoop_at_bearing", self.hoop_at_bearing),
+        ];
+        all.into_iter()
+            .filter_map(|(name, error)| Some((name, error?)))
     }
 }
 
@@ -47,7 +100,7 @@ impl Budget {
     }
 }
 
-impl fmt::Display for Accuracy {
+impl fmt::Display for RelativeError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{} %", 100.0 * self.0)
     }
@@ -67,7 +120,7 @@ trait Written: Sized {
     fn read(text: &str) -> Option<Self>;
 }
 
-impl Written for Accuracy {
+impl Written for RelativeError {
     const EXPECTED: &'static str = "a relative error such as \"1 %\" or 0.01";
 
     fn read(text: &str) -> Option<Self> {
@@ -94,7 +147,7 @@ impl Written for Budget {
     }
 }
 
-impl Serialize for Accuracy {
+impl Serialize for RelativeError {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.to_string())
     }
@@ -106,9 +159,49 @@ impl Serialize for Budget {
     }
 }
 
-impl<'de> Deserialize<'de> for Accuracy {
+impl<'de> Deserialize<'de> for RelativeError {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(Text(PhantomData))
+    }
+}
+
+impl<'de> Deserialize<'de> for Accuracy {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(OneOrNamed)
+    }
+}
+
+struct OneOrNamed;
+
+impl<'de> Visitor<'de> for OneOrNamed {
+    type Value = Accuracy;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "{}, or a table of these",
+            RelativeError::EXPECTED
+        )
+    }
+
+    fn visit_str<E: Error>(self, text: &str) -> Result<Accuracy, E> {
+        Text(PhantomData).visit_str(text).map(Accuracy::Overall)
+    }
+
+    fn visit_f64<E: Error>(self, value: f64) -> Result<Accuracy, E> {
+        self.visit_str(&value.to_string())
+    }
+
+    fn visit_i64<E: Error>(self, value: i64) -> Result<Accuracy, E> {
+        self.visit_str(&value.to_string())
+    }
+
+    fn visit_u64<E: Error>(self, value: u64) -> Result<Accuracy, E> {
+        self.visit_str(&value.to_string())
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Accuracy, A::Error> {
+        Bounds::deserialize(MapAccessDeserializer::new(map)).map(Accuracy::Named)
     }
 }
 
@@ -150,13 +243,13 @@ mod tests {
 
     #[test]
     fn shares_and_times_are_read_with_their_units() {
-        assert_eq!(Accuracy::read("1 %"), Some(Accuracy(0.01)));
-        assert_eq!(Accuracy::read("0.002"), Some(Accuracy(0.002)));
-        assert_eq!(Accuracy::read("1e-3 %"), Some(Accuracy(1e-5)));
+        assert_eq!(RelativeError::read("1 %"), Some(RelativeError(0.01)));
+        assert_eq!(RelativeError::read("0.002"), Some(RelativeError(0.002)));
+        assert_eq!(RelativeError::read("1e-3 %"), Some(RelativeError(1e-5)));
         assert_eq!(Budget::read("1.5e1 ms"), Some(Budget(0.015)));
         assert_eq!(Budget::read("2 min"), Some(Budget(120.0)));
         for text in ["", "%", "one", "NaN", "inf %"] {
-            assert_eq!(Accuracy::read(text), None, "{text}");
+            assert_eq!(RelativeError::read(text), None, "{text}");
         }
         for text in ["", "10", "10 parsecs", "s"] {
             assert_eq!(Budget::read(text), None, "{text}");

@@ -512,6 +512,30 @@ fn accuracies_and_models_that_no_run_can_have() {
         assert!((message + &help).contains("at least 1e-8 and at most 50 %"));
         assert_eq!((line, found.as_str()), (17, shown));
     }
+    for (value, shown) in [
+        ("\"0 %\"", "\"0 %\""),
+        ("-0.01", "-0.01"),
+        ("\"51 %\"", "\"51 %\""),
+        ("1e-9", "1e-9"),
+    ] {
+        let table = format!("accuracy = {{ peak_hoop = \"1 %\", peak_pressure = {value} }}");
+        let (message, help, line, found) = analysis(&table);
+        assert!(message.starts_with("peak_pressure = "), "{message}");
+        assert!((message + &help).contains("at least 1e-8 and at most 50 %"));
+        assert_eq!((line, found.as_str()), (17, shown));
+    }
+    let (message, help, line, found) = analysis("accuracy = { peak_presure = \"1 %\" }");
+    assert_eq!(message, "unknown key 'peak_presure'");
+    assert!(help.contains("peak_pressure"), "{help}");
+    assert_eq!((line, found.as_str()), (17, "peak_presure"));
+    let (message, ..) = analysis("accuracy = { peak_hoop = \"fine\" }");
+    assert!(
+        message.contains("'fine' is not a relative error"),
+        "{message}"
+    );
+    let (message, help, ..) = analysis("accuracy = {}");
+    assert!(message.contains("names no number"), "{message}");
+    assert!(help.contains("peak_pressure"), "{help}");
     let (message, ..) = analysis("accuracy = \"fine\"");
     assert!(
         message.contains("'fine' is not a relative error"),

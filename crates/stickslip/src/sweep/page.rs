@@ -12,7 +12,7 @@ use super::row::{Measures, Outcome, Row};
 use super::verdict::ORDER;
 use super::{Sweep, verdict, warning};
 use stickslip_engine::results::JointMode;
-use stickslip_text::{counted, short};
+use stickslip_text::{counted, short, significant};
 
 /// Most cases that the page lists; the table file has all.
 const MOST_ROWS: usize = 500;
@@ -166,13 +166,21 @@ fn cases(sweep: &Sweep, rows: &[Row]) -> Table {
 
 fn case_cells(measures: &Measures) -> [String; 10] {
     let number = |value: Option<f64>| value.map_or_else(String::new, short);
+    let stated = |value: Option<f64>, error: Option<f64>| match value.zip(error) {
+        Some((value, error)) => format!("{} ± {}", significant(value, 5), significant(error, 2)),
+        None => number(value),
+    };
+    let errors = measures.errors;
     let first = measures.first_ply.as_ref();
     let joint = measures.joint.as_ref();
     [
-        number(measures.peak_pressure),
-        number(measures.contact_half_angle),
-        number(measures.peak_hoop.map(|[most, _]| most)),
-        number(measures.peak_hoop.map(|[_, place]| place)),
+        stated(measures.peak_pressure, errors.peak_pressure),
+        stated(measures.contact_half_angle, errors.contact_half_angle),
+        stated(measures.peak_hoop.map(|[most, _]| most), errors.peak_hoop),
+        stated(
+            measures.peak_hoop.map(|[_, place]| place),
+            errors.peak_hoop_angle,
+        ),
         number(first.and_then(|first| first.load)),
         first.map_or_else(String::new, |first| first.ply.clone()),
         first.map_or_else(String::new, |first| {
@@ -195,8 +203,13 @@ fn unresolved(sweep: &Sweep, rows: &[Row]) -> Table {
 }
 
 fn files(sweep: &Sweep) -> Section {
+    let errors = if sweep.states_errors() {
+        " and their errors"
+    } else {
+        ""
+    };
     let cases = format!(
-        "one row per case: {} axes, contact, hoop stress, first ply, failure of the joint, time, outcome, findings",
+        "one row per case: {} axes, contact, hoop stress{errors}, first ply, failure of the joint, time, outcome, findings",
         sweep.axes.len()
     );
     Section::of_files([

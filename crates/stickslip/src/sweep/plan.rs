@@ -110,6 +110,12 @@ impl Sweep {
         self.axes.iter().map(|axis| axis.values.len()).product()
     }
 
+    /// Whether cases state errors of their numbers: those that find their own model for an accuracy.
+    pub fn states_errors(&self) -> bool {
+        let mut axes = self.axes.iter();
+        self.scene.seeks_accuracy() || axes.any(|axis| axis.key.name() == "analysis.accuracy")
+    }
+
     /// Index of the value on each axis in a case.
     pub fn values_of(&self, case: usize) -> Vec<usize> {
         let mut rest = case;

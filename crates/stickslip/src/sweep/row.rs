@@ -3,7 +3,9 @@
 use super::Sweep;
 use super::axis::tidy;
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodyFailure, Finding, FirstPly, JointMode, LoadValue, Results};
+use stickslip_engine::results::{
+    BodyFailure, Finding, FirstPly, JointMode, LoadValue, Results, Stated,
+};
 
 /// A case.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,12 +53,27 @@ pub struct Measures {
     pub contact_half_angle: Option<f64>,
     /// Largest hoop stress on the hole, and its place `[degree]`.
     pub peak_hoop: Option<[f64; 2]>,
+    /// Estimated errors of these, where the case states any.
+    pub errors: MeasureErrors,
     /// The first ply to fail by any criterion.
     pub first_ply: Option<PlyFailure>,
     /// Failure on the characteristic curve.
     pub joint: Option<JointLoad>,
     /// Kinds of the findings of its run, each once; `None` in rows of versions that kept none.
     pub findings: Option<Vec<String>>,
+}
+
+/// Estimated errors of the numbers of a contact, in the units of these.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MeasureErrors {
+    /// Of the largest contact pressure.
+    pub peak_pressure: Option<f64>,
+    /// Of half of the angle that contact reaches over `[degree]`.
+    pub contact_half_angle: Option<f64>,
+    /// Of the largest hoop stress.
+    pub peak_hoop: Option<f64>,
+    /// Of its place `[degree]`.
+    pub peak_hoop_angle: Option<f64>,
 }
 
 /// The first ply to fail.
@@ -129,6 +146,15 @@ impl Measures {
             peak_hoop: edge
                 .and_then(|edge| edge.peak_hoop)
                 .map(|(most, place)| [stress(most), degrees(seen(place))]),
+            errors: edge.map_or_else(MeasureErrors::default, |edge| {
+                let error = |stated| edge.errors.get(stated);
+                MeasureErrors {
+                    peak_pressure: error(Stated::PeakPressure).map(stress),
+                    contact_half_angle: error(Stated::ContactExtent).map(degrees),
+                    peak_hoop: error(Stated::PeakHoop).map(stress),
+                    peak_hoop_angle: error(Stated::PeakHoopPlace).map(degrees),
+                }
+            }),
             first_ply: failure.and_then(|failure| first_ply(failure, &value)),
             joint: failure.and_then(|failure| joint(failure, results, sweep, &value)),
             findings,

@@ -7,6 +7,7 @@
 //! | `load` | largest load of the history; contact and hoop stress are those of its step |
 //! | `peak_pressure`, `contact_half_angle` | of the joint's contact |
 //! | `peak_hoop`, `peak_hoop_angle` | largest hoop stress on the hole, and where |
+//! | `peak_pressure_error`, …, `peak_hoop_angle_error` | estimated errors of these, each beside its number, where cases find their own model for an accuracy |
 //! | `first_ply_load`, `first_ply`, `first_ply_criterion`, `first_ply_mode`, `first_ply_angle`, `first_ply_found` | the first ply to fail |
 //! | `joint_load`, `joint_bearing_stress`, `joint_mode`, `joint_angle`, `joint_found` | failure on the characteristic curve |
 //! | `seconds` | time of the case on its core |
@@ -16,14 +17,17 @@
 //! `…_found` is `reached` where the history fails a ply, `projected` where its largest load was multiplied. What does not exist is
 //! an empty cell. Tables of versions without `findings` are read too.
 
+mod cells;
+
 use std::io::Write;
 
 use stickslip_report::table::Columns;
 use stickslip_text::plain::{csv_cell, csv_text};
 
-use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row};
+use super::row::{JointLoad, MeasureErrors, Measures, Outcome, PlyFailure, Row};
 use super::verdict::ORDER;
 use super::{Sweep, SweepError};
+use cells::{Cells, whole};
 
 /// Outcome of a case that has numbers.
 const SOLVED: &str = "solved";
@@ -92,25 +96,49 @@ fn found(reached: bool) -> String {
     if reached { REACHED } else { PROJECTED }.to_owned()
 }
 
+/// A number of a case.
+type Number = fn(&Measures) -> Option<f64>;
+
 fn contact_columns(sweep: &Sweep) -> Columns<'_, &Row> {
     let stress = sweep.scene.display.stress.name;
-    let number = |value: fn(&Measures) -> Option<f64>| {
-        move |row: &Row| shown(row.measures().and_then(value))
-    };
-    Columns::new()
-        .with("load", &sweep.load_unit, number(|own| own.load))
-        .with("peak_pressure", stress, number(|own| own.peak_pressure))
-        .with(
+    let number = |value: Number| move |row: &Row| shown(row.measures().and_then(value));
+    let columns = Columns::new().with("load", &sweep.load_unit, number(|own| own.load));
+    let quantities: [(&str, &str, Number, Number); 4] = [
+        (
+            "peak_pressure",
+            stress,
+            |own| own.peak_pressure,
+            |own| own.errors.peak_pressure,
+        ),
+        (
             "contact_half_angle",
             "deg",
-            number(|own| own.contact_half_angle),
-        )
-        .with("peak_hoop", stress, number(|own| Some(own.peak_hoop?[0])))
-        .with(
+            |own| own.contact_half_angle,
+            |own| own.errors.contact_half_angle,
+        ),
+        (
+            "peak_hoop",
+            stress,
+            |own| Some(own.peak_hoop?[0]),
+            |own| own.errors.peak_hoop,
+        ),
+        (
             "peak_hoop_angle",
             "deg",
-            number(|own| Some(own.peak_hoop?[1])),
-        )
+            |own| Some(own.peak_hoop?[1]),
+            |own| own.errors.peak_hoop_angle,
+        ),
+    ];
+    quantities
+        .into_iter()
+        .fold(columns, |columns, (name, unit, value, error)| {
+            let columns = columns.with(name, unit, number(value));
+            if sweep.states_errors() {
+                columns.with(format!("{name}_error"), unit, number(error))
+            } else {
+                columns
+            }
+        })
 }
 
 fn first_ply_columns(sweep: &Sweep) -> Columns<'_, &Row> {
@@ -286,15 +314,9 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
     for _ in &sweep.axes {
         cells.next();
     }
-    let mut measures = Measures {
-        load: cells.number()?,
-        peak_pressure: cells.number()?,
-        contact_half_angle: cells.number()?,
-        peak_hoop: pair(cells.number()?, cells.number()?),
-        first_ply: cells.first_ply()?,
-        joint: cells.joint()?,
-        findings: None,
-    };
+    let mut measures = cells.contact(sweep.states_errors())?;
+    measures.first_ply = cells.first_ply()?;
+    measures.joint = cells.joint()?;
     let seconds = cells.number()?.unwrap_or_default();
     let outcome = cells.next();
     measures.findings = findings_of(cells.next());
@@ -308,65 +330,4 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
         seconds,
         outcome,
     })
-}
-
-/// The cells of a row that are not read yet.
-struct Cells<'a>(std::slice::Iter<'a, &'a str>);
-
-impl<'a> Cells<'a> {
-    fn next(&mut self) -> &'a str {
-        self.0.next().copied().unwrap_or_default()
-    }
-
-    /// A number, or none in an empty cell.
-    fn number(&mut self) -> Result<Option<f64>, String> {
-        let cell = self.next();
-        if cell.is_empty() {
-            return Ok(None);
-        }
-        let value = cell.parse::<f64>();
-        value
-            .map(Some)
-            .map_err(|_| format!("'{cell}' is not a number"))
-    }
-
-    fn first_ply(&mut self) -> Result<Option<PlyFailure>, String> {
-        let load = self.number()?;
-        let [ply, criterion, mode] = [self.next(), self.next(), self.next()].map(str::to_owned);
-        let (angle, found) = (self.number()?, self.next());
-        Ok((!found.is_empty()).then(|| PlyFailure {
-            load,
-            ply,
-            criterion,
-            mode,
-            angle,
-            reached: found == REACHED,
-        }))
-    }
-
-    fn joint(&mut self) -> Result<Option<JointLoad>, String> {
-        let (load, bearing_stress) = (self.number()?, self.number()?);
-        let (mode, angle, found) = (self.next(), self.number()?, self.next());
-        let known = ORDER.into_iter().find(|known| known.name() == mode);
-        match known.zip(angle) {
-            Some((mode, angle)) => Ok(Some(JointLoad {
-                load,
-                bearing_stress,
-                mode,
-                angle,
-                reached: found == REACHED,
-            })),
-            None if mode.is_empty() => Ok(None),
-            None => Err(format!("'{mode}' is not a failure mode with an angle")),
-        }
-    }
-}
-
-fn whole(cell: &str) -> Result<usize, String> {
-    cell.parse()
-        .map_err(|_| format!("'{cell}' is not the number of a case"))
-}
-
-fn pair(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {
-    first.zip(second).map(|(first, second)| [first, second])
 }

@@ -11,6 +11,7 @@ mod mortar;
 mod remarks;
 mod series;
 mod several;
+mod stated;
 mod travel;
 mod unbalanced;
 

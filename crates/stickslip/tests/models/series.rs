@@ -1,6 +1,7 @@
 //! Bodies by series beside the same bodies of finite elements.
 
 use stickslip::results::{LadderEnd, Results, Stated};
+use stickslip::scene::schema::Accuracy;
 
 use super::{difference, model, results, scene, solved, tractions, upper};
 
@@ -241,7 +242,8 @@ fn half_the_accuracy_moves_a_value_by_less_than_its_error() {
         }
     }
     let ladder = fine.ladder.unwrap();
-    assert_eq!((ladder.asked, ladder.end), (Some(0.01), LadderEnd::Reached));
+    let asked = (ladder.asked, ladder.end);
+    assert_eq!(asked, (Some(Accuracy::DEFAULT), LadderEnd::Reached));
 }
 
 #[test]
@@ -290,7 +292,7 @@ fn an_open_hole_reaches_its_accuracy_by_an_estimate() {
         let error = ladder.rungs.last().and_then(|rung| rung.error);
         let (error, of) = error.unwrap();
         assert_eq!((ladder.end, of), (LadderEnd::Reached, Stated::PeakHoop));
-        assert!(error <= ladder.asked.unwrap());
+        assert!(error <= of.bound(ladder.asked.unwrap()).unwrap());
         let edge = &found.steps[0].edges[0];
         let apart = edge.peak_hoop.unwrap().0 - 434.7599;
         assert!(apart.abs() <= edge.errors.get(of).unwrap(), "{apart:e}");

@@ -6,6 +6,35 @@ use stickslip::sweep::{Sweep, SweepError, figures, findings, table, verdict, war
 
 use super::{COARSE, SWEEP, folder_with, read, scenes, solved};
 
+/// A pin in a strip, without a mesh.
+const PIN: &str = r#"
+version = 1
+[materials.steel.isotropic]
+young = "210 GPa"
+poisson = 0.3
+[bodies.plate]
+material = "steel"
+thickness = "2 mm"
+[bodies.plate.shape.plate_with_hole]
+hole_radius = "4 mm"
+outline.strip = { half_width = "20 mm", left = "40 mm", right = "20 mm" }
+[bodies.pin]
+material = "steel"
+thickness = "2 mm"
+shape.disk = { radius = "3.99 mm" }
+[[contacts]]
+name = "pin"
+first = "plate.hole"
+second = "pin.rim"
+friction.coulomb = { mu = 0.3 }
+[[supports]]
+on = "pin.centre"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.left"
+force = { direction = [-1, 0], steps = ["4 kN"] }
+"#;
+
 #[test]
 fn cases_are_the_full_product() {
     let sweep = read(&folder_with(SWEEP));
@@ -90,6 +119,44 @@ fn a_table_without_findings_is_read() {
         .collect();
     assert_eq!(known, [false, false]);
     assert!(findings(&old).is_empty() && warning(&old).is_none());
+}
+
+/// Cases without a mesh find their own models, with an error of each number.
+#[test]
+fn numbers_without_a_mesh_have_their_errors() {
+    let folder = folder_with(&SWEEP.replace("[2, 4, 5]", "[4, 5]"));
+    let path = folder.path().join("joint.toml");
+    std::fs::write(&path, PIN).unwrap();
+    let file = folder.path().join("sweep.toml");
+    let sweep = Sweep::from_file(&file, &[] as &[&str], HOST).unwrap();
+    assert!(sweep.states_errors());
+    let rows = solved(&sweep, &[0, 1, 2, 3]);
+    for row in &rows {
+        let measures = row.measures().unwrap();
+        let (pressure, errors) = (measures.peak_pressure.unwrap(), measures.errors);
+        assert!(errors.peak_pressure.unwrap() < 0.01 * pressure);
+        let extent = measures.contact_half_angle.unwrap();
+        assert!(errors.contact_half_angle.unwrap() < 0.01 * extent);
+        assert!(errors.peak_hoop.is_some() && errors.peak_hoop_angle.is_some());
+    }
+    let text = String::from_utf8(table::text(&sweep, &rows).unwrap()).unwrap();
+    let head = text.lines().next().unwrap();
+    for name in [
+        "peak_pressure [MPa],peak_pressure_error [MPa]",
+        "contact_half_angle [deg],contact_half_angle_error [deg]",
+        "peak_hoop [MPa],peak_hoop_error [MPa]",
+        "peak_hoop_angle [deg],peak_hoop_angle_error [deg]",
+    ] {
+        assert!(head.contains(name), "{head}");
+    }
+    let again = table::read(&sweep, &text).unwrap();
+    for (row, again) in rows.iter().zip(&again) {
+        assert_eq!((row.case, &row.outcome), (again.case, &again.outcome));
+    }
+    // With a mesh there are none.
+    let meshed = Sweep::from_file(&file, &["mesh.spacing=6 deg"], HOST).unwrap();
+    assert!(!meshed.states_errors());
+    assert!(!table::headings(&meshed).join(",").contains("_error"));
 }
 
 #[test]

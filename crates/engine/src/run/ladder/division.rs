@@ -117,7 +117,11 @@ impl Changes<'_> {
             Stated::PeakPressure | Stated::PeakHoop | Stated::HoopAtBearing => {
                 Stated::PeakPressure.value(results)?
             }
-            Stated::FrictionForce | Stated::NormalForce => results.normal_force,
+            Stated::FrictionForce
+            | Stated::NormalForce
+            | Stated::ResultantX
+            | Stated::ResultantY => results.normal_force,
+            Stated::FrictionWork => results.friction_work,
             _ => 1.0,
         };
         (scale > 0.0).then_some(scale)
@@ -159,6 +163,8 @@ fn factor(stated: Stated, is_graded: bool) -> f64 {
             Stated::PeakHoopPlace => 0.7,
             Stated::ContactExtent => 0.85,
             Stated::StickExtent | Stated::Bearing | Stated::PeakPressurePlace => 1.0,
+            Stated::ResultantX | Stated::ResultantY | Stated::FrictionWork => 1.0,
+            Stated::SlipAway | Stated::SlipTowards => 1.0,
             Stated::PeakHoop => 1.15,
             Stated::HoopAtBearing => 2.2,
             Stated::PeakPressure => 1.6,
@@ -169,5 +175,7 @@ fn factor(stated: Stated, is_graded: bool) -> f64 {
         Stated::HoopAtBearing | Stated::ContactExtent => 1.5,
         Stated::PeakHoop => 2.5,
         Stated::StickExtent | Stated::PeakPressurePlace | Stated::PeakHoopPlace => 2.0,
+        Stated::ResultantX | Stated::ResultantY | Stated::FrictionWork => 1.0,
+        Stated::SlipAway | Stated::SlipTowards => 2.0,
     }
 }

@@ -59,15 +59,15 @@ fn error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
     Some(change * rate / (1.0 - rate))
 }
 
-/// The extent of stick is that of nodes, which hides small changes. It is off by the part by which friction is.
+/// The extents of stick and slip are those of nodes, which hide small changes. They are off by the part of stick by which friction is off.
 fn of_sticks(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
     for (errors, step) in errors.iter_mut().zip(steps) {
         for (errors, edge) in errors.iter_mut().zip(step) {
             let force = errors.get(Stated::FrictionForce);
             let part = force.map_or(0.0, |error| (error / edge.friction_force.abs()).min(1.0));
             *errors = Errors::of(|stated| match stated {
-                Stated::StickExtent => {
-                    let extent = stated.value(edge)?;
+                Stated::StickExtent | Stated::SlipAway | Stated::SlipTowards => {
+                    let extent = Stated::StickExtent.value(edge).unwrap_or(0.0);
                     Some(errors.get(stated)?.max(part * extent))
                 }
                 _ => errors.get(stated),

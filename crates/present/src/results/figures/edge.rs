@@ -117,7 +117,8 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
             value(hoop),
             view.at(place)
         ));
-        if let Some(margin) = edge.peak_hoop_uncertainty {
+        let margin = edge.peak_hoop_uncertainty;
+        if let Some(margin) = margin.filter(|_| view.results().ladder.is_none()) {
             sentences.push(format!(
                 "It sits in a cusp at the end of contact, where values converge like the root of the node spacing: uncertain by {}.",
                 value(margin)

@@ -46,11 +46,20 @@ pub(crate) struct Summary<'a> {
 /// How an accuracy was sought.
 #[derive(Debug, Serialize)]
 pub(super) struct Sought {
-    /// Relative error that was asked for.
-    pub(super) asked: Option<f64>,
+    /// Relative errors that were asked for.
+    pub(super) asked: Option<Asked>,
     /// Whether it was reached, and otherwise why not.
     pub(super) end: &'static str,
     pub(super) rungs: Vec<Tried>,
+}
+
+/// Relative errors that were asked for.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub(super) enum Asked {
+    Overall(f64),
+    /// By the names that scenes give numbers.
+    Named(BTreeMap<&'static str, f64>),
 }
 
 /// A model that was tried.
@@ -168,6 +177,8 @@ pub(super) struct Step<'a> {
     pub(super) complementarity_residual: Option<f64>,
     pub(super) cone_violation: Option<f64>,
     pub(super) dissipation: Quantity,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) dissipation_error: Option<Quantity>,
     pub(super) wall_time_s: f64,
 }
 
@@ -222,6 +233,8 @@ pub(super) struct EdgeStep {
     pub(super) fewest_contact_nodes: Option<usize>,
     pub(super) contact_resolved: Option<bool>,
     pub(super) resultant: Option<Vector>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) resultant_error: Option<Vector>,
 }
 
 /// Zones along the edge: in degrees on a circle, in lengths on a line.

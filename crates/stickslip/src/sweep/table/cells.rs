@@ -1,0 +1,89 @@
+//! Cells of a row as they are read.
+
+use super::{JointLoad, MeasureErrors, Measures, ORDER, PlyFailure, REACHED};
+
+/// The cells of a row that are not read yet.
+pub(super) struct Cells<'a>(pub(super) std::slice::Iter<'a, &'a str>);
+
+impl<'a> Cells<'a> {
+    pub(super) fn next(&mut self) -> &'a str {
+        self.0.next().copied().unwrap_or_default()
+    }
+
+    /// A number, or none in an empty cell.
+    pub(super) fn number(&mut self) -> Result<Option<f64>, String> {
+        let cell = self.next();
+        if cell.is_empty() {
+            return Ok(None);
+        }
+        let value = cell.parse::<f64>();
+        value
+            .map(Some)
+            .map_err(|_| format!("'{cell}' is not a number"))
+    }
+
+    /// The numbers of a contact, each followed by its error where a table `states_errors`.
+    pub(super) fn contact(&mut self, states_errors: bool) -> Result<Measures, String> {
+        let load = self.number()?;
+        let mut stated = || {
+            let value = self.number()?;
+            let error = if states_errors { self.number()? } else { None };
+            Ok::<_, String>((value, error))
+        };
+        let [pressure, extent, hoop, angle] = [stated()?, stated()?, stated()?, stated()?];
+        Ok(Measures {
+            load,
+            peak_pressure: pressure.0,
+            contact_half_angle: extent.0,
+            peak_hoop: pair(hoop.0, angle.0),
+            errors: MeasureErrors {
+                peak_pressure: pressure.1,
+                contact_half_angle: extent.1,
+                peak_hoop: hoop.1,
+                peak_hoop_angle: angle.1,
+            },
+            ..Measures::default()
+        })
+    }
+
+    pub(super) fn first_ply(&mut self) -> Result<Option<PlyFailure>, String> {
+        let load = self.number()?;
+        let [ply, criterion, mode] = [self.next(), self.next(), self.next()].map(str::to_owned);
+        let (angle, found) = (self.number()?, self.next());
+        Ok((!found.is_empty()).then(|| PlyFailure {
+            load,
+            ply,
+            criterion,
+            mode,
+            angle,
+            reached: found == REACHED,
+        }))
+    }
+
+    pub(super) fn joint(&mut self) -> Result<Option<JointLoad>, String> {
+        let (load, bearing_stress) = (self.number()?, self.number()?);
+        let (mode, angle, found) = (self.next(), self.number()?, self.next());
+        let known = ORDER.into_iter().find(|known| known.name() == mode);
+        match known.zip(angle) {
+            Some((mode, angle)) => Ok(Some(JointLoad {
+                load,
+                bearing_stress,
+                mode,
+                angle,
+                reached: found == REACHED,
+            })),
+            None if mode.is_empty() => Ok(None),
+            None => Err(format!("'{mode}' is not a failure mode with an angle")),
+        }
+    }
+}
+
+/// The number of a case.
+pub(super) fn whole(cell: &str) -> Result<usize, String> {
+    cell.parse()
+        .map_err(|_| format!("'{cell}' is not the number of a case"))
+}
+
+fn pair(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {
+    first.zip(second).map(|(first, second)| [first, second])
+}

@@ -1,0 +1,114 @@
+//! Numbers that are stated with an error, and the accuracies that bound them.
+
+use stickslip::results::{LadderEnd, Results, Stated};
+
+use super::series::PIN;
+use super::{difference, solved};
+
+/// The two frictional steps that follow from each other, loading and unloading.
+fn found(accuracy: &str) -> Results {
+    solved(PIN, &[&format!("analysis.accuracy={accuracy}")])
+}
+
+#[test]
+fn every_number_of_a_contact_has_an_error() {
+    let found = found("\"2 %\"");
+    for step in &found.steps {
+        let edge = &step.edges[0];
+        for stated in Stated::ALL {
+            let error = edge.errors.get(stated);
+            assert!(
+                stated.value(edge).is_none() || error.is_some(),
+                "{stated:?}"
+            );
+        }
+        let error = step.dissipation_error(&found.edges).unwrap();
+        assert!(
+            error < 0.1 * step.dissipation,
+            "{error} of {}",
+            step.dissipation
+        );
+    }
+}
+
+#[test]
+fn slip_resultant_and_work_lie_within_their_errors() {
+    let (found, truth) = (found("\"2 %\""), found("\"0.1 %\""));
+    for (step, truth) in found.steps.iter().zip(&truth.steps) {
+        let (edge, truth) = (&step.edges[0], &truth.edges[0]);
+        for stated in [
+            Stated::ResultantX,
+            Stated::ResultantY,
+            Stated::SlipAway,
+            Stated::SlipTowards,
+            Stated::FrictionWork,
+        ] {
+            let apart = stated.value(edge).unwrap() - stated.value(truth).unwrap();
+            let [own, doubt] = [edge, truth].map(|edge| edge.errors.get(stated).unwrap());
+            assert!(
+                apart.abs() <= own + doubt,
+                "{stated:?}: {apart:e} beyond {own:e}"
+            );
+        }
+    }
+}
+
+/// Works of single contacts are those of the step, and slip takes what sticks not.
+#[test]
+fn extents_and_works_add_up() {
+    let found = solved(PIN, &["analysis.contact_nodes=121", "analysis.substeps=4"]);
+    for step in &found.steps {
+        let edge = &step.edges[0];
+        let works = step.edges.iter().map(|edge| edge.friction_work);
+        assert!(difference([step.dissipation], [works.sum()]) < 1e-12);
+        let slip: f64 = edge.slip_lengths.unwrap().iter().sum();
+        let stick = edge.stick_half_extent.unwrap();
+        let rest = edge.contact_half_extent.unwrap() - stick - 0.5 * slip;
+        // The end of contact lies within an interval of nodes, 1.5°.
+        assert!(rest.abs() < 0.027, "{rest}");
+    }
+}
+
+/// A single number is reached with fewer nodes than all of them.
+#[test]
+fn a_named_number_alone_decides() {
+    let [named, all] = [r#"{ peak_pressure = "0.5 %" }"#, "\"0.5 %\""].map(found);
+    let [named, all] = [named, all].map(|found| (found.edges[0].parameter.len(), found.ladder));
+    let ladder = named.1.unwrap();
+    assert_eq!(ladder.end, LadderEnd::Reached);
+    assert!(
+        ladder
+            .rungs
+            .iter()
+            .filter_map(|rung| rung.error)
+            .all(|(_, of)| of == Stated::PeakPressure)
+    );
+    assert!(named.0 < all.0, "{} {}", named.0, all.0);
+}
+
+/// Every name bounds its own number.
+#[test]
+fn each_name_bounds_its_number() {
+    for (name, stated) in [
+        ("peak_pressure", Stated::PeakPressure),
+        ("peak_hoop", Stated::PeakHoop),
+        ("contact_extent", Stated::ContactExtent),
+        ("stick_extent", Stated::StickExtent),
+        ("friction_force", Stated::FrictionForce),
+        ("normal_force", Stated::NormalForce),
+        ("hoop_at_bearing", Stated::HoopAtBearing),
+    ] {
+        let scene = super::scene(PIN, &[&format!("analysis.accuracy={{ {name} = \"3 %\" }}")]);
+        let accuracy = scene.analysis.accuracy.unwrap();
+        let bounded = Stated::ALL
+            .into_iter()
+            .filter(|own| own.bound(accuracy).is_some());
+        assert_eq!(bounded.collect::<Vec<_>>(), [stated], "{name}");
+        assert_eq!(stated.bound(accuracy), Some(0.03));
+        // What `check` prints is read again.
+        assert_eq!(
+            super::scene(scene.resolved(), &[]).analysis.accuracy,
+            Some(accuracy)
+        );
+    }
+}
