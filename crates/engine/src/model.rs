@@ -287,11 +287,16 @@ impl Model {
     /// # Errors
     /// [`ModelError`]; nothing large is allocated before the size of the meshes is known.
     pub fn build(scene: &Scene) -> Result<Self, ModelError> {
+        Self::build_on(scene, None)
+    }
+
+    /// As [`build`](Self::build), with the bodies by series of `known`, whose scene differs in nothing that they depend on.
+    pub(crate) fn build_on(scene: &Scene, known: Option<&Self>) -> Result<Self, ModelError> {
         let mut plan = Plan::of(scene);
         limits::check(&plan)?;
         let mut choices = Vec::new();
         let half = extent::choose(&plan, &mut choices)?;
-        series::choose(&mut plan, scene, half, &mut choices)?;
+        series::choose(&mut plan, scene, known, half, &mut choices)?;
         let meshes = meshes::build(&plan, scene.limits(), half, &mut choices)?;
         let materials = materials(scene)?;
         let contacts = contacts::build(&plan, scene.display, &meshes, half, &mut choices)?;

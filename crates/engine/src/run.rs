@@ -92,7 +92,7 @@ pub enum Progress {
 }
 
 /// A body as the interface problem sees it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Operator {
     /// Condensed finite elements.
     Elastic(Arc<CondensedBody>),
@@ -198,21 +198,30 @@ pub fn solve(
     solver: &dyn InterfaceSolver,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Solved, RunError> {
+    let (operators, interface, phases) = assemble(model, progress)?;
+    let mut solved = follow(model, operators, interface, solver, progress)?;
+    solved.phases.splice(0..0, phases);
+    Ok(solved)
+}
+
+/// The condensed bodies of `model` and their interface problem, with the wall time of both `[s]`.
+fn assemble(
+    model: &Model,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<(Vec<Operator>, Interface, [(&'static str, f64); 2]), RunError> {
     progress(Progress::Phase("factorisation"));
     let start = model.host.seconds();
     let operators = condense(model)?;
     let condensed = model.host.seconds() - start;
     let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
     let interface = Interface::new(&faces, model.pairs.clone())?;
+    drop(faces);
     let assembled = model.host.seconds() - start;
-    let phases = vec![
+    let phases = [
         ("factorisation", condensed),
         ("interface", assembled - condensed),
     ];
-    drop(faces);
-    let mut solved = follow(model, operators, interface, solver, progress)?;
-    solved.phases.splice(0..0, phases);
-    Ok(solved)
+    Ok((operators, interface, phases))
 }
 
 /// Follows the history of `model` with `solver`, on the `interface` of its condensed bodies `operators`.

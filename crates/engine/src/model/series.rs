@@ -10,16 +10,17 @@ use stickslip_scene::schema::{BodyModel, Division, Grading, Hold, LoadKind, Mesh
 use stickslip_scene::shape::{Curve, Role};
 use stickslip_series::{Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, Nodes, Outline, Plate};
 
-use super::ModelError;
 use super::meshes::on_circles;
 use super::plan::{BodyPlan, Plan};
+use super::{Model, ModelError};
 use crate::results::Choice;
 use crate::series::{SeriesBody, is_isotropic};
 
-/// Decides which bodies of `plan` are modelled by series, and puts their operators there.
+/// Decides which bodies of `plan` are modelled by series, and puts their operators there, those of `known` where it has them.
 pub(super) fn choose(
     plan: &mut Plan<'_>,
     scene: &Scene,
+    known: Option<&Model>,
     half: bool,
     choices: &mut Vec<Choice>,
 ) -> Result<(), ModelError> {
@@ -37,11 +38,13 @@ pub(super) fn choose(
             continue;
         }
         let division = division(plan, scene, index);
-        let made_of = match scene.failure {
-            Some(_) => {
+        let ready = known.and_then(|model| model.bodies[index].series.clone());
+        let made_of = match (&scene.failure, ready) {
+            (Some(_), _) => {
                 Err("is in a scene whose plies may fail, which is followed on elements".into())
             }
-            None => body(plan, index, &division, half),
+            (None, Some(ready)) => Ok(ready),
+            (None, None) => body(plan, index, &division, half).map(Arc::new),
         };
         match made_of {
             Ok(body) => made.push((index, division, body)),
@@ -77,7 +80,7 @@ pub(super) fn choose(
     });
     for (index, division, body) in made {
         plan.bodies[index].mesh = division;
-        plan.bodies[index].series = Some(Arc::new(body));
+        plan.bodies[index].series = Some(body);
     }
     Ok(())
 }

@@ -214,7 +214,7 @@ impl Climb<'_> {
 
     /// Whether a model finer than `last` would exceed the budget.
     fn is_spent(&self, last: &Level) -> bool {
-        let spent = self.scene.host().seconds() - self.start + GROWTH * last.seconds;
+        let spent = self.scene.host().seconds() - self.start + GROWTH * last.seconds_anew;
         let budget = self.scene.analysis.budget;
         budget.is_some_and(|budget| spent > budget.seconds())
     }

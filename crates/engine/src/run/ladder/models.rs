@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use stickslip_contact::InterfaceSolver;
+use stickslip_contact::{Interface, InterfaceSolver};
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
 
 use super::grading;
 use crate::model::Model;
 use crate::results::{EdgeGeometry, EdgeResults, Errors};
-use crate::run::{Progress, RunError, Solved, edges, fields, peaks, solve};
+use crate::run::{Operator, Progress, RunError, Solved, assemble, edges, fields, follow, peaks};
 
 /// Nodes on half of a contact circle less one, of the coarsest model by series.
 const INTERVALS: usize = 30;
@@ -44,7 +44,20 @@ pub(super) struct Level {
     /// Largest spacing of nodes on each edge `[rad or mm]`.
     pub(super) spacings: Vec<f64>,
     pub(super) seconds: f64,
+    /// What it would have taken if nothing had been ready for it `[s]`.
+    pub(super) seconds_anew: f64,
     division: String,
+}
+
+/// A model and its operators, ready for other increments and for the other geometry on which contact is found.
+struct Made {
+    rung: usize,
+    graded: Option<Vec<f64>>,
+    kinematics: KinematicsChoice,
+    model: Model,
+    operators: Vec<Operator>,
+    interface: Interface,
+    seconds: f64,
 }
 
 impl Level {
@@ -67,6 +80,8 @@ pub(super) struct Models<'a> {
     division: Division,
     /// Angles of the contact nodes of rungs by series that are graded, by rung.
     graded: BTreeMap<usize, Vec<f64>>,
+    /// What was made last.
+    made: Option<Made>,
     /// On which geometry contact is found.
     pub(super) kinematics: KinematicsChoice,
 }
@@ -87,6 +102,7 @@ impl<'a> Models<'a> {
             solver,
             division,
             graded: BTreeMap::new(),
+            made: None,
             kinematics: scene.kinematics(),
         })
     }
@@ -133,7 +149,7 @@ impl<'a> Models<'a> {
 
     /// Solves the model of a rung; rung 0 is the coarsest, and finer ones whose nodes are graded need [`grade`](Self::grade) of a coarser one.
     pub(super) fn level(
-        &self,
+        &mut self,
         rung: usize,
         substeps: usize,
         progress: &mut dyn FnMut(Progress),
@@ -141,17 +157,23 @@ impl<'a> Models<'a> {
         let host = self.scene.host();
         let start = host.seconds();
         let (scene, division) = self.scene_of(rung, substeps);
-        let model = Model::build(&scene)?;
-        let solved = solve(&model, self.solver, progress)?;
+        let made = self.made(&scene, rung, progress)?;
+        let (model, making) = (made.model.with_laws_and_history(&scene)?, made.seconds);
+        let (operators, interface) = (made.operators.clone(), made.interface.clone());
+        let ready = host.seconds();
+        let mut solved = follow(&model, operators, interface, self.solver, progress)?;
+        solved.phases.insert(0, ("operators", ready - start));
         let free = model.edges.iter().filter(|edge| edge.pair.is_none());
         let wanted: Vec<usize> = free.map(|edge| edge.geometry.body).collect();
         let recovered = fields::recover_some(&model, &solved, &wanted);
         let (geometries, mut steps) = edges::all(&model, &solved, &recovered)?;
         let fitted = peaks::between_nodes(&model, &solved, &geometries, &mut steps);
+        let end = host.seconds();
         Ok(Level {
             rung,
             substeps,
-            seconds: host.seconds() - start,
+            seconds: end - start,
+            seconds_anew: end - ready + making,
             spacings: geometries.iter().map(spacing).collect(),
             fitted,
             division,
@@ -160,6 +182,41 @@ impl<'a> Models<'a> {
             geometries,
             steps,
         })
+    }
+
+    /// The model and the operators of `scene`, that of `rung`: of what was made last as much as fits.
+    fn made(
+        &mut self,
+        scene: &Scene,
+        rung: usize,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<&Made, RunError> {
+        let start = self.scene.host().seconds();
+        let graded = self.graded.get(&rung).filter(|_| self.is_graded()).cloned();
+        let kinematics = self.kinematics;
+        let last = self.made.take();
+        let made = match last.filter(|made| made.rung == rung && made.graded == graded) {
+            Some(made) if made.kinematics == kinematics => made,
+            Some(made) => Made {
+                model: Model::build_on(scene, Some(&made.model))?,
+                kinematics,
+                ..made
+            },
+            None => {
+                let model = Model::build(scene)?;
+                let (operators, interface, _) = assemble(&model, progress)?;
+                Made {
+                    rung,
+                    graded,
+                    kinematics,
+                    model,
+                    operators,
+                    interface,
+                    seconds: self.scene.host().seconds() - start,
+                }
+            }
+        };
+        Ok(self.made.insert(made))
     }
 
     /// The scene of a rung, and how it is divided.
