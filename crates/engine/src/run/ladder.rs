@@ -14,7 +14,7 @@ mod path;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{Accuracy, KinematicsChoice};
+use stickslip_scene::schema::{Accuracy, Budget, KinematicsChoice};
 
 use self::geometry::Geometry;
 use self::models::{Division, Level, Models};
@@ -29,6 +29,8 @@ const SMALL: f64 = 1e-3;
 const PATH_SHARE: f64 = 0.5;
 /// The undeformed geometry may take this part of what is asked.
 const GEOMETRY_SHARE: f64 = 0.3;
+/// Budget of a scene that asks for no accuracy `[s]`.
+const PATIENCE: f64 = 60.0;
 /// A finer model takes about so many times as long as the last one.
 const GROWTH: f64 = 4.0;
 
@@ -215,8 +217,10 @@ impl Climb<'_> {
     /// Whether a model finer than `last` would exceed the budget.
     fn is_spent(&self, last: &Level) -> bool {
         let spent = self.scene.host().seconds() - self.start + GROWTH * last.seconds_anew;
-        let budget = self.scene.analysis.budget;
-        budget.is_some_and(|budget| spent > budget.seconds())
+        let analysis = &self.scene.analysis;
+        let patience = analysis.accuracy.is_none().then_some(PATIENCE);
+        let budget = analysis.budget.map(Budget::seconds).or(patience);
+        budget.is_some_and(|budget| spent > budget)
     }
 
     /// The results of the last level, with their errors.

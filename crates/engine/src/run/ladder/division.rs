@@ -69,8 +69,15 @@ impl Changes<'_> {
             }
             let error = self.error(at, stated)?;
             let peak = peaks.iter().find(|(place, _)| *place == stated);
-            let flat = peak.map(|(_, peak)| self.flat(at, *peak));
-            Some(error.max(flat.unwrap_or(0.0)))
+            let least = match (stated, peak) {
+                (_, Some((_, peak))) => self.flat(at, *peak),
+                // Slip has two ends of stick.
+                (Stated::SlipAway | Stated::SlipTowards, _) => {
+                    2.0 * self.error(at, Stated::StickExtent).unwrap_or(0.0)
+                }
+                _ => 0.0,
+            };
+            Some(error.max(least))
         })
     }
 

@@ -122,14 +122,11 @@ impl<'a> Models<'a> {
 
     /// Whether no finer rung than `rung` is tried.
     pub(super) fn is_finest(&self, rung: usize) -> bool {
-        let finest = match self.division {
-            Division::Series => GRADINGS,
-            Division::Elements => HALVINGS,
-            Division::Pinned => return true,
-        };
-        // The last one takes longer than all before; who asks for no accuracy does not wait for it.
-        let asks = self.scene.analysis.accuracy.is_some();
-        rung >= if asks { finest } else { finest - 1 }
+        match self.division {
+            Division::Series => rung >= GRADINGS,
+            Division::Elements => rung >= HALVINGS,
+            Division::Pinned => true,
+        }
     }
 
     /// Whether nodes are graded. Deformed gaps are not: their slopes are differences of neighbours, which lose an order where spacings differ.

@@ -68,7 +68,14 @@ fn of_sticks(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
             *errors = Errors::of(|stated| match stated {
                 Stated::StickExtent | Stated::SlipAway | Stated::SlipTowards => {
                     let extent = Stated::StickExtent.value(edge).unwrap_or(0.0);
-                    Some(errors.get(stated)?.max(part * extent))
+                    // Slip has two ends of stick.
+                    let ends = if stated == Stated::StickExtent {
+                        1.0
+                    } else {
+                        2.0
+                    };
+                    let stick = errors.get(Stated::StickExtent).unwrap_or(0.0);
+                    Some(errors.get(stated)?.max(ends * stick.max(part * extent)))
                 }
                 _ => errors.get(stated),
             });
