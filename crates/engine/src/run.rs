@@ -198,17 +198,24 @@ pub fn solve(
     solver: &dyn InterfaceSolver,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Solved, RunError> {
-    let (operators, interface, phases) = assemble(model, progress)?;
+    let Assembled {
+        operators,
+        interface,
+        phases,
+    } = assemble(model, progress)?;
     let mut solved = follow(model, operators, interface, solver, progress)?;
     solved.phases.splice(0..0, phases);
     Ok(solved)
 }
 
-/// The condensed bodies of `model` and their interface problem, with the wall time of both `[s]`.
-fn assemble(
-    model: &Model,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<(Vec<Operator>, Interface, [(&'static str, f64); 2]), RunError> {
+/// The condensed bodies of a model and their interface problem, with the wall time of both `[s]`.
+struct Assembled {
+    operators: Vec<Operator>,
+    interface: Interface,
+    phases: [(&'static str, f64); 2],
+}
+
+fn assemble(model: &Model, progress: &mut dyn FnMut(Progress)) -> Result<Assembled, RunError> {
     progress(Progress::Phase("factorisation"));
     let start = model.host.seconds();
     let operators = condense(model)?;
@@ -221,7 +228,11 @@ fn assemble(
         ("factorisation", condensed),
         ("interface", assembled - condensed),
     ];
-    Ok((operators, interface, phases))
+    Ok(Assembled {
+        operators,
+        interface,
+        phases,
+    })
 }
 
 /// Follows the history of `model` with `solver`, on the `interface` of its condensed bodies `operators`.

@@ -323,11 +323,10 @@ impl EdgeQuantity {
 
     fn file_name(&self, edge: &EdgeView<'_>) -> String {
         let ending = match (self.kind, edge.is_circle()) {
-            (Kind::Place, true) => "_angle",
+            (Kind::Place | Kind::Slip, true) => "_angle",
             (Kind::Place, false) => "_position",
             (Kind::Half, true) => "_half_angle",
             (Kind::Half, false) => "_half_width",
-            (Kind::Slip, true) => "_angle",
             (Kind::Slip, false) => "_width",
             _ => "",
         };

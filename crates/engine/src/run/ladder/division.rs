@@ -169,20 +169,16 @@ fn factor(stated: Stated, is_graded: bool) -> f64 {
             Stated::FrictionForce | Stated::NormalForce => 0.6,
             Stated::PeakHoopPlace => 0.7,
             Stated::ContactExtent => 0.85,
-            Stated::StickExtent | Stated::Bearing | Stated::PeakPressurePlace => 1.0,
-            Stated::ResultantX | Stated::ResultantY | Stated::FrictionWork => 1.0,
-            Stated::SlipAway | Stated::SlipTowards => 1.0,
             Stated::PeakHoop => 1.15,
-            Stated::HoopAtBearing => 2.2,
             Stated::PeakPressure => 1.6,
+            Stated::HoopAtBearing => 2.2,
+            _ => 1.0,
         };
     }
     match stated {
-        Stated::PeakPressure | Stated::FrictionForce | Stated::NormalForce | Stated::Bearing => 1.0,
         Stated::HoopAtBearing | Stated::ContactExtent => 1.5,
         Stated::PeakHoop => 2.5,
-        Stated::StickExtent | Stated::PeakPressurePlace | Stated::PeakHoopPlace => 2.0,
-        Stated::ResultantX | Stated::ResultantY | Stated::FrictionWork => 1.0,
-        Stated::SlipAway | Stated::SlipTowards => 2.0,
+        stated if stated.is_of_nodes() => 2.0,
+        _ => 1.0,
     }
 }

@@ -10,7 +10,9 @@ use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSe
 use super::grading;
 use crate::model::Model;
 use crate::results::{EdgeGeometry, EdgeResults, Errors};
-use crate::run::{Operator, Progress, RunError, Solved, assemble, edges, fields, follow, peaks};
+use crate::run::{
+    Assembled, Operator, Progress, RunError, Solved, assemble, edges, fields, follow, peaks,
+};
 
 /// Nodes on half of a contact circle less one, of the coarsest model by series.
 const INTERVALS: usize = 30;
@@ -138,7 +140,7 @@ impl<'a> Models<'a> {
     pub(super) fn grade(&mut self, level: &Level, rung: usize) {
         if self.is_graded() {
             let coarse = PI / (INTERVALS << rung) as f64;
-            let fine = coarse / (1 << rung) as f64;
+            let fine = coarse / (1_usize << rung) as f64;
             let angles = grading::angles(level, level.model.half, [fine, coarse]);
             self.graded.insert(rung, angles);
         }
@@ -201,7 +203,11 @@ impl<'a> Models<'a> {
             },
             None => {
                 let model = Model::build(scene)?;
-                let (operators, interface, _) = assemble(&model, progress)?;
+                let Assembled {
+                    operators,
+                    interface,
+                    ..
+                } = assemble(&model, progress)?;
                 Made {
                     rung,
                     graded,
