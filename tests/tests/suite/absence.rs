@@ -330,7 +330,15 @@ fn what_must_be_absent_is_absent() {
 }
 
 /// Behind the model nothing of `engine` takes a scene but these: runs, and the ladder, which varies scenes before they become models.
-const ENTRY_POINTS: &[&str] = &["run", "run_with", "climb", "new", "scene_of", "each_mesh"];
+const ENTRY_POINTS: &[&str] = &[
+    "run",
+    "run_with",
+    "climb",
+    "new",
+    "made",
+    "scene_of",
+    "each_mesh",
+];
 
 #[test]
 fn only_the_entry_points_of_runs_take_a_scene() {

@@ -40,7 +40,7 @@ impl EdgeResults {
     }
 
     /// Total lengths of the zones that slip away from the bearing point and towards it, or along ±e_t `[rad or mm]`; `None` without contact.
-    pub(crate) fn lengths_of_slip(&self, geometry: &EdgeGeometry) -> Option<[f64; 2]> {
+    pub fn lengths_of_slip(&self, geometry: &EdgeGeometry) -> Option<[f64; 2]> {
         let ranges = self.zones_seen(geometry);
         let length = |status| {
             let own = ranges.iter().filter(|zone| zone.0 == status);

@@ -10,6 +10,7 @@ mod geometry;
 mod grading;
 mod limits;
 mod models;
+mod numbers;
 mod path;
 
 use stickslip_contact::InterfaceSolver;
@@ -18,8 +19,9 @@ use stickslip_scene::schema::{Accuracy, Budget, KinematicsChoice};
 
 use self::geometry::Geometry;
 use self::models::{Division, Level, Models};
+use self::numbers::{Numbers, Table, difference, sum};
 use super::{Progress, RunError, results};
-use crate::results::{EdgeResults, Errors, Ladder, LadderEnd, Results, Rung, Stated};
+use crate::results::{EdgeResults, Ladder, LadderEnd, Results, Rung, Stated};
 
 /// Most increments of a load step that are tried.
 const INCREMENTS: usize = 64;
@@ -33,9 +35,6 @@ const GEOMETRY_SHARE: f64 = 0.3;
 const PATIENCE: f64 = 60.0;
 /// A finer model takes about so many times as long as the last one.
 const GROWTH: f64 = 4.0;
-
-/// Errors per step, edge and number.
-type Table = Vec<Vec<Errors>>;
 
 /// Climbs until the accuracy of `scene` is met, and returns the results of the last model.
 ///
@@ -63,10 +62,7 @@ pub(super) fn climb(
     let coarse = climb.models.level(base.rung - 1, base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
-        let errors = sum(
-            &sum(&division::errors(&levels, climb.models.is_graded()), &path),
-            &model.errors,
-        );
+        let errors = sum(&sum(&climb.divided(&levels), &path), &model.errors);
         let end = climb.end(&levels, &errors);
         let next = match (end, levels.last()) {
             (None, Some(last)) => {
@@ -93,6 +89,12 @@ struct Climb<'a> {
 }
 
 impl Climb<'_> {
+    /// What the division of the last of `levels` leaves.
+    fn divided(&self, levels: &[Level]) -> Table {
+        let numbers: Vec<&Numbers> = levels.iter().map(|level| &level.numbers).collect();
+        division::errors(&numbers, self.models.is_graded())
+    }
+
     /// The first model, on the geometry that the accuracy needs.
     fn kinematics(
         &mut self,
@@ -116,11 +118,11 @@ impl Climb<'_> {
         self.models.kinematics = KinematicsChoice::Small;
         let deformed = match deformed {
             Ok(deformed) => deformed,
-            Err(why) => return Ok((small, Geometry::unknown(&why))),
+            Err(why) => return Ok((small, Geometry::unknown(&why.to_string()))),
         };
         self.record(&deformed, None);
-        let errors = geometry::errors(&difference(&deformed, &small));
-        let worst = worst(&small, &errors, self.bounds());
+        let errors = geometry::errors(&difference(&deformed.numbers, &small.numbers));
+        let worst = worst(&small.numbers, &errors, self.bounds());
         let matters = worst.is_some_and(|worst| worst.part > GEOMETRY_SHARE);
         let reason = Geometry::reason(worst.map(Worst::named), matters);
         Ok(if matters {
@@ -158,14 +160,17 @@ impl Climb<'_> {
             let finer = self
                 .models
                 .level(1, path::PINNED * base.substeps, progress)?;
-            let left = path::of_pinned(&difference(&finer, &base), &base.steps);
+            let left = path::of_pinned(
+                &difference(&finer.numbers, &base.numbers),
+                &base.numbers.steps,
+            );
             return Ok((base, left));
         }
         loop {
             let finer = self.models.level(1, 2 * base.substeps, progress)?;
-            let change = difference(&finer, &base);
-            let left = changes.halved(change, &finer.steps);
-            let worst = worst(&finer, &left, self.bounds()).map_or(0.0, |worst| worst.part);
+            let change = difference(&finer.numbers, &base.numbers);
+            let left = changes.halved(change, &finer.numbers.steps);
+            let worst = worst(&finer.numbers, &left, self.bounds()).map_or(0.0, |worst| worst.part);
             self.record(&finer, None);
             let is_fine = self.asked.is_none() || worst <= PATH_SHARE;
             if is_fine || finer.substeps >= INCREMENTS || self.is_spent(&finer) {
@@ -192,7 +197,7 @@ impl Climb<'_> {
     /// Records the last of `levels`, and says why the climb ends there, if it does.
     fn end(&mut self, levels: &[Level], errors: &Table) -> Option<LadderEnd> {
         let last = levels.last()?;
-        let worst = worst(last, errors, self.bounds());
+        let worst = worst(&last.numbers, errors, self.bounds());
         let error = worst.map(Worst::named);
         let is_known =
             |rung: &Rung| (&rung.model, rung.increments) == (&last.describe(), last.substeps);
@@ -234,10 +239,10 @@ impl Climb<'_> {
         let Some(last) = levels.pop() else {
             return super::run_with(self.scene, self.models.solver(), &mut |_| {});
         };
-        let unlimited = limits::findings(&last, &errors);
+        let unlimited = division::findings(&last.numbers, &errors);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         found.findings.extend(unlimited);
-        for ((step, fitted), errors) in found.steps.iter_mut().zip(last.steps).zip(errors) {
+        for ((step, fitted), errors) in found.steps.iter_mut().zip(last.numbers.steps).zip(errors) {
             for ((edge, fitted), errors) in step.edges.iter_mut().zip(fitted).zip(errors) {
                 *edge = EdgeResults { errors, ..fitted };
             }
@@ -250,46 +255,6 @@ impl Climb<'_> {
         });
         Ok(found)
     }
-}
-
-/// The differences of the numbers of two levels. Extents and pressures of a contact that is open in the coarse one change from zero.
-fn difference(fine: &Level, coarse: &Level) -> Table {
-    let edges = |(step, other): (&Vec<_>, &Vec<_>)| {
-        let own = step.iter().zip(other);
-        own.map(|(edge, other)| {
-            Errors::of(|stated| {
-                let before = stated.value(other);
-                let before = before.or(stated.vanishes().then_some(0.0));
-                Some((stated.value(edge)? - before?).abs())
-            })
-        })
-        .collect()
-    };
-    fine.steps.iter().zip(&coarse.steps).map(edges).collect()
-}
-
-/// The sum of two tables; the second one may be empty.
-fn sum(one: &Table, other: &Table) -> Table {
-    zipped(one, other, |one, other| match (one, other) {
-        (Some(one), Some(other)) => Some(one + other),
-        (one, _) => one,
-    })
-}
-
-fn zipped(
-    one: &Table,
-    other: &Table,
-    join: impl Fn(Option<f64>, Option<f64>) -> Option<f64>,
-) -> Table {
-    let edges = |(step, edges): (usize, &Vec<Errors>)| {
-        let own = edges.iter().enumerate();
-        own.map(|(edge, errors)| {
-            let second = other.get(step).and_then(|edges| edges.get(edge));
-            Errors::of(|stated| join(errors.get(stated), second.and_then(|own| own.get(stated))))
-        })
-        .collect()
-    };
-    one.iter().enumerate().map(edges).collect()
 }
 
 /// A relative error beside its bound.
@@ -309,7 +274,7 @@ impl Worst {
 
 /// The relative error that is largest beside its bound of `accuracy`; of contacts, or where there are none of all edges. Stresses are measured by the larger
 /// of themselves and of the peak pressure, beside which σ_t may vanish.
-fn worst(level: &Level, errors: &Table, accuracy: Accuracy) -> Option<Worst> {
+fn worst(level: &Numbers, errors: &Table, accuracy: Accuracy) -> Option<Worst> {
     let mut found: Option<Worst> = None;
     let touches = level.geometries.iter().any(|geometry| geometry.contact);
     for (edge, geometry) in level.geometries.iter().enumerate() {

@@ -305,7 +305,7 @@ fn edge_step(edge: &EdgeGeometry, step: usize) -> EdgeResults {
     let touching = edge.contact.then_some(half);
     // What is added to the results of an edge is none of this fixture's business.
     #[allow(clippy::needless_update)]
-    EdgeResults {
+    let results = EdgeResults {
         zones: zones(edge, &rows),
         bearing: edge.contact.then_some(0.0),
         contact_half_extent: touching,
@@ -323,6 +323,11 @@ fn edge_step(edge: &EdgeGeometry, step: usize) -> EdgeResults {
         normal_force: if edge.contact { LOADS[step] } else { 0.0 },
         rows,
         ..EdgeResults::default()
+    };
+    let slip = edge.contact.then(|| results.lengths_of_slip(edge));
+    EdgeResults {
+        slip_lengths: slip.flatten(),
+        ..results
     }
 }
 

@@ -7,9 +7,8 @@
 //! r is the part that a change should be of the one before: ½ with equal spacings, ¼ with graded ones. Changes of stress and force are compared
 //! between steps as parts of the peak pressure and of the normal force. [`factor`] has k.
 
-use super::models::Level;
-use super::{Table, difference, limits};
-use crate::results::{EdgeRow, Errors, Stated};
+use super::numbers::{Numbers, Table, difference};
+use crate::results::{ContactFinding, EdgeGeometry, EdgeRow, Errors, Finding, Stated};
 
 /// A change may vanish by chance; this part of the largest one of all steps does not.
 const WIDE: f64 = 0.4;
@@ -21,7 +20,7 @@ const FITTED: f64 = 3.5;
 const ENDS: f64 = 0.6;
 
 /// The errors of the last of `levels`; empty where there is one only.
-pub(super) fn errors(levels: &[Level], is_graded: bool) -> Table {
+pub(super) fn errors(levels: &[&Numbers], is_graded: bool) -> Table {
     let [.., coarse, fine] = levels else {
         return Table::new();
     };
@@ -45,11 +44,40 @@ pub(super) fn errors(levels: &[Level], is_graded: bool) -> Table {
     (0..fine.steps.len()).map(edges).collect()
 }
 
+/// What a reader must know of the numbers `of` that have no limit, and so no error among `errors`.
+pub(super) fn findings(of: &Numbers, errors: &Table) -> Vec<Finding> {
+    let finding = |(edge, geometry): (usize, &EdgeGeometry)| {
+        let (mut steps, mut numbers) = (Vec::new(), Vec::new());
+        for (step, errors) in errors.iter().enumerate() {
+            let missing = of.missing[step][edge];
+            let own = Stated::ALL.into_iter().filter(|&stated| {
+                missing.concern(stated)
+                    && errors[edge].get(stated).is_none()
+                    && stated.value(&of.steps[step][edge]).is_some()
+            });
+            for stated in own {
+                if steps.last() != Some(&(step + 1)) {
+                    steps.push(step + 1);
+                }
+                if !numbers.contains(&stated.describe()) {
+                    numbers.push(stated.describe());
+                }
+            }
+        }
+        let is_empty = steps.is_empty();
+        let found = ContactFinding::NoLimit { steps, numbers };
+        (!is_empty).then(|| Finding::about(&geometry.name, found))
+    };
+    let edges = of.geometries.iter().enumerate();
+    let contacts = edges.filter(|(_, geometry)| geometry.contact);
+    contacts.filter_map(finding).collect()
+}
+
 /// A step and an edge.
 type At = [usize; 2];
 
 struct Changes<'a> {
-    fine: &'a Level,
+    fine: &'a Numbers,
     last: Table,
     before: Table,
     is_graded: bool,
@@ -57,7 +85,7 @@ struct Changes<'a> {
 
 impl Changes<'_> {
     fn errors(&self, at: At) -> Errors {
-        let limits = limits::Missing::of(self.fine, at);
+        let limits = self.fine.missing[at[0]][at[1]];
         let peaks = [
             (Stated::PeakPressurePlace, Stated::PeakPressure),
             (Stated::PeakHoopPlace, Stated::PeakHoop),

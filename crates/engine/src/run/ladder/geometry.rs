@@ -1,8 +1,7 @@
 //! What a ladder finds out about the geometry on which contact is found.
 
-use super::{Table, zipped};
+use super::numbers::{Table, zipped};
 use crate::results::{Results, Stated};
-use crate::run::RunError;
 
 /// The difference on a coarse model is off by this factor at most.
 pub(super) const FACTOR: f64 = 1.5;
@@ -23,7 +22,7 @@ pub(super) struct Geometry {
 
 impl Geometry {
     /// The undeformed geometry, because of `why` nothing is known of the deformed one.
-    pub(super) fn unknown(why: &RunError) -> Self {
+    pub(super) fn unknown(why: &str) -> Self {
         Self {
             errors: Table::new(),
             reason: format!("no error states what deformed gaps would change: {why}"),

@@ -9,7 +9,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::models::Level;
+use super::numbers::Numbers;
 
 /// Growth of the spacing per length.
 const GROWTH: f64 = 0.4;
@@ -19,7 +19,7 @@ const WIDE: f64 = 2.0;
 const POINTS: f64 = 4.0;
 
 /// Angles from 0 to π of a half model, or all around; `fine` and `coarse` are spacings `[rad]`, places are those of `level`.
-pub(super) fn angles(level: &Level, half: bool, [fine, coarse]: [f64; 2]) -> Vec<f64> {
+pub(super) fn angles(level: &Numbers, half: bool, [fine, coarse]: [f64; 2]) -> Vec<f64> {
     let places = places(level, fine, coarse);
     let spacing = |angle: f64| {
         let own = places.iter();
@@ -89,7 +89,7 @@ impl Place {
     }
 }
 
-fn places(level: &Level, fine: f64, coarse: f64) -> Vec<Place> {
+fn places(level: &Numbers, fine: f64, coarse: f64) -> Vec<Place> {
     let mut places = Vec::new();
     let contacts = level.geometries.iter().enumerate();
     for (edge, geometry) in contacts.filter(|(_, geometry)| geometry.contact) {

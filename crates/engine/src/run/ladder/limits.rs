@@ -6,10 +6,8 @@
 
 use stickslip_contact::{Contacts, Status, StepRecord};
 
-use super::Table;
-use super::models::Level;
 use crate::model::Model;
-use crate::results::{ContactFinding, EdgeGeometry, EdgeResults, EdgeRow, Finding, Stated};
+use crate::results::{EdgeGeometry, EdgeResults, EdgeRow, Stated};
 
 /// Which numbers of an edge in a step have no limit.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,15 +21,17 @@ pub(super) struct Missing {
 }
 
 impl Missing {
-    /// Those of an edge in a step.
-    pub(super) fn of(level: &Level, [step, edge]: [usize; 2]) -> Self {
-        let model = &level.model;
-        let (geometry, results) = (&level.geometries[edge], &level.steps[step][edge]);
+    /// Those of the edge with the index `edge` in the step of `record`.
+    pub(super) fn of(
+        model: &Model,
+        contacts: &Contacts,
+        record: &StepRecord,
+        (edge, geometry, results): (usize, &EdgeGeometry, &EdgeResults),
+    ) -> Self {
         let Some(pair) = model.edges[edge].pair else {
             return Self::default();
         };
-        let contacts = level.solved.interface.contacts();
-        let drops = || drops(contacts, &level.solved.records[step], pair, results);
+        let drops = || drops(contacts, record, pair, results);
         let turns = turns(geometry, results);
         let near = |place: Option<f64>| {
             place.is_some_and(|place| turns.iter().any(|turn| turn.holds(place)))
@@ -52,35 +52,6 @@ impl Missing {
             _ => false,
         }
     }
-}
-
-/// What a reader must know of numbers of `level` that have no limit, and so no error among `errors`.
-pub(super) fn findings(level: &Level, errors: &Table) -> Vec<Finding> {
-    let finding = |(edge, geometry): (usize, &EdgeGeometry)| {
-        let (mut steps, mut numbers) = (Vec::new(), Vec::new());
-        for (step, errors) in errors.iter().enumerate() {
-            let missing = Missing::of(level, [step, edge]);
-            let own = Stated::ALL.into_iter().filter(|&stated| {
-                missing.concern(stated)
-                    && errors[edge].get(stated).is_none()
-                    && stated.value(&level.steps[step][edge]).is_some()
-            });
-            for stated in own {
-                if steps.last() != Some(&(step + 1)) {
-                    steps.push(step + 1);
-                }
-                if !numbers.contains(&stated.describe()) {
-                    numbers.push(stated.describe());
-                }
-            }
-        }
-        let is_empty = steps.is_empty();
-        let found = ContactFinding::NoLimit { steps, numbers };
-        (!is_empty).then(|| Finding::about(&geometry.name, found))
-    };
-    let edges = level.geometries.iter().enumerate();
-    let contacts = edges.filter(|(_, geometry)| geometry.contact);
-    contacts.filter_map(finding).collect()
 }
 
 /// Where slip leads away on both sides.

@@ -8,8 +8,10 @@ use stickslip_scene::Scene;
 use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
 
 use super::grading;
+use super::limits::Missing;
+use super::numbers::Numbers;
 use crate::model::Model;
-use crate::results::{EdgeGeometry, EdgeResults, Errors};
+use crate::results::{EdgeGeometry, EdgeResults};
 use crate::run::{
     Assembled, Operator, Progress, RunError, Solved, assemble, edges, fields, follow, peaks,
 };
@@ -38,13 +40,7 @@ pub(super) struct Level {
     pub(super) substeps: usize,
     pub(super) model: Model,
     pub(super) solved: Solved,
-    pub(super) geometries: Vec<EdgeGeometry>,
-    /// Results per step and edge.
-    pub(super) steps: Vec<Vec<EdgeResults>>,
-    /// Errors that fits between nodes estimate of themselves.
-    pub(super) fitted: Vec<Vec<Errors>>,
-    /// Largest spacing of nodes on each edge `[rad or mm]`.
-    pub(super) spacings: Vec<f64>,
+    pub(super) numbers: Numbers,
     pub(super) seconds: f64,
     /// What it would have taken if nothing had been ready for it `[s]`.
     pub(super) seconds_anew: f64,
@@ -70,7 +66,7 @@ impl Level {
 
     /// Whether friction acts anywhere in its history.
     pub(super) fn rubs(&self) -> bool {
-        let mut edges = self.steps.iter().flatten();
+        let mut edges = self.numbers.steps.iter().flatten();
         edges.any(|edge| edge.rows.iter().any(|row| row.shear != 0.0))
     }
 }
@@ -141,7 +137,7 @@ impl<'a> Models<'a> {
         if self.is_graded() {
             let coarse = PI / (INTERVALS << rung) as f64;
             let fine = coarse / (1_usize << rung) as f64;
-            let angles = grading::angles(level, level.model.half, [fine, coarse]);
+            let angles = grading::angles(&level.numbers, level.model.half, [fine, coarse]);
             self.graded.insert(rung, angles);
         }
     }
@@ -173,13 +169,16 @@ impl<'a> Models<'a> {
             substeps,
             seconds: end - start,
             seconds_anew: end - ready + making,
-            spacings: geometries.iter().map(spacing).collect(),
-            fitted,
+            numbers: Numbers {
+                missing: missing(&model, &solved, &geometries, &steps),
+                spacings: geometries.iter().map(spacing).collect(),
+                fitted,
+                geometries,
+                steps,
+            },
             division,
             model,
             solved,
-            geometries,
-            steps,
         })
     }
 
@@ -262,6 +261,26 @@ impl<'a> Models<'a> {
         }
         (scene, division)
     }
+}
+
+/// Numbers without a limit, per step and edge.
+fn missing(
+    model: &Model,
+    solved: &Solved,
+    geometries: &[EdgeGeometry],
+    steps: &[Vec<EdgeResults>],
+) -> Vec<Vec<Missing>> {
+    let contacts = solved.interface.contacts();
+    let steps = solved.records.iter().zip(steps);
+    let edges = steps.map(|(record, step)| {
+        let edges = geometries.iter().zip(step).enumerate();
+        edges
+            .map(|(edge, (geometry, results))| {
+                Missing::of(model, contacts, record, (edge, geometry, results))
+            })
+            .collect()
+    });
+    edges.collect()
 }
 
 fn each_mesh(scene: &mut Scene, change: fn(&MeshSettings) -> MeshSettings) {

@@ -8,7 +8,7 @@
 //!
 //! A change may vanish by chance, so those before count as if every halving took half of them.
 
-use super::{Table, zipped};
+use super::numbers::{Table, zipped};
 use crate::results::{EdgeResults, Errors, Stated};
 
 /// The error that increments leave is at most so many times the change that halving them last made.

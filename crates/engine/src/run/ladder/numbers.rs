@@ -1,0 +1,61 @@
+//! The numbers of a model, and tables of their errors.
+
+use super::limits::Missing;
+use crate::results::{EdgeGeometry, EdgeResults, Errors};
+
+/// Errors per step, edge and number.
+pub(super) type Table = Vec<Vec<Errors>>;
+
+/// What a model says of its edges.
+pub(super) struct Numbers {
+    pub(super) geometries: Vec<EdgeGeometry>,
+    /// Results per step and edge.
+    pub(super) steps: Vec<Vec<EdgeResults>>,
+    /// Errors that fits between nodes estimate of themselves.
+    pub(super) fitted: Table,
+    /// Numbers without a limit, per step and edge.
+    pub(super) missing: Vec<Vec<Missing>>,
+    /// Largest spacing of nodes on each edge `[rad or mm]`.
+    pub(super) spacings: Vec<f64>,
+}
+
+/// The differences of the numbers of two models. Extents and pressures of a contact that is open in the coarse one change from zero.
+pub(super) fn difference(fine: &Numbers, coarse: &Numbers) -> Table {
+    let edges = |(step, other): (&Vec<EdgeResults>, &Vec<EdgeResults>)| {
+        let own = step.iter().zip(other);
+        own.map(|(edge, other)| {
+            Errors::of(|stated| {
+                let before = stated.value(other);
+                let before = before.or(stated.vanishes().then_some(0.0));
+                Some((stated.value(edge)? - before?).abs())
+            })
+        })
+        .collect()
+    };
+    fine.steps.iter().zip(&coarse.steps).map(edges).collect()
+}
+
+/// The sum of two tables; the second one may be empty.
+pub(super) fn sum(one: &Table, other: &Table) -> Table {
+    zipped(one, other, |one, other| match (one, other) {
+        (Some(one), Some(other)) => Some(one + other),
+        (one, _) => one,
+    })
+}
+
+/// The errors of both tables joined; the second one may be empty.
+pub(super) fn zipped(
+    one: &Table,
+    other: &Table,
+    join: impl Fn(Option<f64>, Option<f64>) -> Option<f64>,
+) -> Table {
+    let edges = |(step, edges): (usize, &Vec<Errors>)| {
+        let own = edges.iter().enumerate();
+        own.map(|(edge, errors)| {
+            let second = other.get(step).and_then(|edges| edges.get(edge));
+            Errors::of(|stated| join(errors.get(stated), second.and_then(|own| own.get(stated))))
+        })
+        .collect()
+    };
+    one.iter().enumerate().map(edges).collect()
+}
