@@ -248,12 +248,6 @@ impl EdgeResults {
             .filter(|_| force > 0.0)
             .map(|area| force / area)
     }
-
-    /// Estimated error of the magnitude of the resultant `[N]`, that of its components together.
-    pub fn resultant_error(&self) -> Option<f64> {
-        let [x, y] = [Stated::ResultantX, Stated::ResultantY].map(|stated| self.errors.get(stated));
-        Some(x?.hypot(y?))
-    }
 }
 
 /// A load at the end of a step.
@@ -302,16 +296,6 @@ pub struct StepResults {
     pub fields: Vec<BodyFields>,
     /// Wall time of the step's contact solution `[s]`.
     pub seconds: f64,
-}
-
-impl StepResults {
-    /// Estimated error of [`dissipation`](Self::dissipation): the sum of those of all contacts; `None` where one has none.
-    pub fn dissipation_error(&self, edges: &[EdgeGeometry]) -> Option<f64> {
-        let contacts = edges.iter().zip(&self.edges).filter(|own| own.0.contact);
-        contacts
-            .map(|(_, edge)| edge.errors.get(Stated::FrictionWork))
-            .sum()
-    }
 }
 
 /// What a load step leaves to say of its solvers and of the number of its solutions.

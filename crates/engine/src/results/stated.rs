@@ -2,7 +2,7 @@
 
 use stickslip_scene::schema::{Accuracy, RelativeError};
 
-use super::EdgeResults;
+use super::{EdgeGeometry, EdgeResults, StepResults};
 
 /// A number of an edge at the end of a load step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -172,6 +172,24 @@ impl Errors {
     /// Whether none were estimated.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+}
+
+impl EdgeResults {
+    /// Estimated error of the magnitude of the resultant `[N]`, that of its components together.
+    pub fn resultant_error(&self) -> Option<f64> {
+        let [x, y] = [Stated::ResultantX, Stated::ResultantY].map(|stated| self.errors.get(stated));
+        Some(x?.hypot(y?))
+    }
+}
+
+impl StepResults {
+    /// Estimated error of [`dissipation`](Self::dissipation): the sum of those of all contacts; `None` where one has none.
+    pub fn dissipation_error(&self, edges: &[EdgeGeometry]) -> Option<f64> {
+        let contacts = edges.iter().zip(&self.edges).filter(|own| own.0.contact);
+        contacts
+            .map(|(_, edge)| edge.errors.get(Stated::FrictionWork))
+            .sum()
     }
 }
 
