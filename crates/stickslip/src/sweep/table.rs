@@ -27,7 +27,7 @@ use stickslip_text::plain::{csv_cell, csv_text};
 use super::row::{JointLoad, MeasureErrors, Measures, Outcome, PlyFailure, Row};
 use super::verdict::ORDER;
 use super::{Sweep, SweepError};
-use cells::{Cells, whole};
+use cells::{Cells, REACHED, whole};
 
 /// Outcome of a case that has numbers.
 const SOLVED: &str = "solved";
@@ -35,8 +35,7 @@ const SOLVED: &str = "solved";
 const NO_FINDINGS: &str = "none";
 /// Stands between kinds of findings.
 const SEPARATOR: &str = "; ";
-/// Words for a failure that the history reaches, and for one beyond it.
-const REACHED: &str = "reached";
+/// Word for a failure beyond the history.
 const PROJECTED: &str = "projected";
 
 /// Headings of the table of `sweep`.

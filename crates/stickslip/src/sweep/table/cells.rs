@@ -1,6 +1,10 @@
 //! Cells of a row as they are read.
 
-use super::{JointLoad, MeasureErrors, Measures, ORDER, PlyFailure, REACHED};
+use crate::sweep::row::{JointLoad, MeasureErrors, Measures, PlyFailure};
+use crate::sweep::verdict::ORDER;
+
+/// Word for a failure that the history reaches.
+pub(super) const REACHED: &str = "reached";
 
 /// The cells of a row that are not read yet.
 pub(super) struct Cells<'a>(pub(super) std::slice::Iter<'a, &'a str>);
