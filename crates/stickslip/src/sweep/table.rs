@@ -24,8 +24,7 @@ use std::io::Write;
 use stickslip_report::table::Columns;
 use stickslip_text::plain::{csv_cell, csv_text};
 
-use super::row::{JointLoad, MeasureErrors, Measures, Outcome, PlyFailure, Row};
-use super::verdict::ORDER;
+use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row};
 use super::{Sweep, SweepError};
 use cells::{Cells, REACHED, whole};
 
