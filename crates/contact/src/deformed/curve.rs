@@ -96,14 +96,6 @@ impl Curve {
         })
     }
 
-    /// The same edge whose nodal displacements are those of the parameters `places`, where hats of unequal halves have their means. Slopes stay those of
-    /// the nodes, so that they are skew with the areas of the nodes.
-    #[must_use]
-    pub fn with_places(mut self, places: &[f64]) -> Self {
-        self.parameter.copy_from_slice(places);
-        self
-    }
-
     /// Its nodes, as indices among the contact points of its body.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes

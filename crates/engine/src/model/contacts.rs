@@ -117,6 +117,11 @@ impl Contacts {
         };
         let (points, chosen) = tied.tie(&above, &below)?;
         if plan.finds_gaps_deformed() {
+            for own in bodies {
+                if let Some(series) = &plan.bodies[own].series {
+                    facing::check_spacing(series)?;
+                }
+            }
             let facing = tied.facing(self.pairs.len(), [&above, &below], &points)?;
             self.facings.push(facing);
         }

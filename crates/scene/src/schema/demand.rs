@@ -6,6 +6,7 @@ use std::marker::PhantomData;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
+use stickslip_text::tidy;
 
 /// Units of time with their length in seconds.
 const TIMES: [(&str, f64); 4] = [("ms", 1e-3), ("s", 1.0), ("min", 60.0), ("h", 3600.0)];
@@ -102,7 +103,9 @@ impl Budget {
 
 impl fmt::Display for RelativeError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{} %", 100.0 * self.0)
+        // Not the tail of digits that a hundredth leaves.
+        let percent = 100.0 * self.0;
+        write!(formatter, "{} %", tidy(percent).unwrap_or(percent))
     }
 }
 
@@ -246,6 +249,7 @@ mod tests {
         assert_eq!(RelativeError::read("1 %"), Some(RelativeError(0.01)));
         assert_eq!(RelativeError::read("0.002"), Some(RelativeError(0.002)));
         assert_eq!(RelativeError::read("1e-3 %"), Some(RelativeError(1e-5)));
+        assert_eq!(RelativeError(0.07).to_string(), "7 %");
         assert_eq!(Budget::read("1.5e1 ms"), Some(Budget(0.015)));
         assert_eq!(Budget::read("2 min"), Some(Budget(120.0)));
         for text in ["", "%", "one", "NaN", "inf %"] {

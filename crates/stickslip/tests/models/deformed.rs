@@ -308,6 +308,19 @@ fn what_deformed_gaps_do_not_cover_is_refused_by_its_key() {
     let (key, what) = refused(PIN, &[DEFORMED, "bodies.pin.mesh.spacing=5 deg"]);
     assert_eq!(key, "contacts.0.projection");
     assert!(what.contains("same divisions"), "{what}");
+    let (key, what) = refused(
+        super::series::PIN,
+        &[
+            DEFORMED,
+            r#"bodies.plate.model="series""#,
+            "mesh.element=Q4",
+            r#"mesh.spacing="1 deg""#,
+            r#"mesh.fine_to="60 deg""#,
+            r#"mesh.coarse_spacing="4 deg""#,
+        ],
+    );
+    assert_eq!(key, "analysis.kinematics");
+    assert!(what.contains("equally spaced"), "{what}");
 }
 
 /// A load that pushes the roller's cap through the block has no answer, and no silent one.

@@ -2,12 +2,15 @@
 
 use stickslip_contact::deformed::{Curve, CurveEnds};
 use stickslip_contact::{ContactPoint, Facing, Stencil};
-use stickslip_fem_core::mesh::Point;
 
 use super::projection::{Side, Tied};
 use crate::model::ModelError;
 use crate::results::EdgeKind;
+use crate::series::SeriesBody;
 use stickslip_scene::schema::GapKind;
+
+/// Nodes and the means of their hats that are closer are one place `[rad]`.
+const EQUAL: f64 = 1e-9;
 
 impl Tied<'_> {
     /// The edges `first` and `second` of the contact with the number `index`, tied at `points`.
@@ -51,25 +54,27 @@ impl Tied<'_> {
             },
         );
         Ok(Facing {
-            first: (0..points.len()).map(|k| self.place(first, k)).collect(),
+            first: (0..points.len()).map(|k| first.position(k)).collect(),
             centre: edge.centre,
-            second: match &self.means {
-                Some(means) => curve.map_err(|what| self.refuse(what))?.with_places(means),
-                None => curve.map_err(|what| self.refuse(what))?,
-            },
+            second: curve.map_err(|what| self.refuse(what))?,
         })
     }
+}
 
-    /// Where the force of the point `k` acts on the undeformed edge `first`.
-    fn place(&self, first: &Side<'_>, k: usize) -> Point {
-        match (&self.means, first.edge.kind) {
-            (Some(means), EdgeKind::Circle { centre, radius }) => {
-                let (sin, cos) = means[k].sin_cos();
-                [centre[0] + radius * cos, centre[1] + radius * sin]
-            }
-            _ => first.position(k),
-        }
+/// Refuses a body by series whose nodes are not equally spaced.
+pub(super) fn check_spacing(body: &SeriesBody) -> Result<(), ModelError> {
+    let nodes = body.nodes();
+    let means = nodes.mean_angles();
+    let mut apart = means.iter().zip(nodes.angles());
+    if apart.all(|(mean, at)| (mean - at).abs() <= EQUAL) {
+        return Ok(());
     }
+    Err(ModelError::Unsupported {
+        key: "analysis.kinematics".into(),
+        what: "\"deformed-gaps\" needs equally spaced nodes on bodies by series: slopes are differences of neighbours, and pressures do not converge \
+               where spacings differ. Space the nodes equally, or say kinematics = \"small\""
+            .into(),
+    })
 }
 
 fn refused(index: usize, key: &str, what: String) -> ModelError {
