@@ -117,12 +117,10 @@ impl Contacts {
         };
         let (points, chosen) = tied.tie(&above, &below)?;
         if plan.finds_gaps_deformed() {
-            for own in bodies {
-                if let Some(series) = &plan.bodies[own].series {
-                    facing::check_spacing(series)?;
-                }
-            }
-            let facing = tied.facing(self.pairs.len(), [&above, &below], &points)?;
+            let series = bodies
+                .iter()
+                .filter_map(|&own| plan.bodies[own].series.as_deref());
+            let facing = tied.facing(self.pairs.len(), [&above, &below], &points, series)?;
             self.facings.push(facing);
         }
         let local = above.local.clone().collect();

@@ -13,13 +13,15 @@ use stickslip_scene::schema::GapKind;
 const EQUAL: f64 = 1e-9;
 
 impl Tied<'_> {
-    /// The edges `first` and `second` of the contact with the number `index`, tied at `points`.
-    pub(super) fn facing(
+    /// The edges `first` and `second` of the contact with the number `index`, tied at `points`; `series` are those of its bodies that are one.
+    pub(super) fn facing<'s>(
         &self,
         index: usize,
         [first, second]: [&Side<'_>; 2],
         points: &[ContactPoint],
+        mut series: impl Iterator<Item = &'s SeriesBody>,
     ) -> Result<Facing, ModelError> {
+        series.try_for_each(check_spacing)?;
         if self.contact.gap != GapKind::Exact {
             let what = format!(
                 "analysis.kinematics = \"deformed-gaps\" measures gaps of the true shapes, and contact '{}' has another `gap`; leave it out, or \
@@ -62,7 +64,7 @@ impl Tied<'_> {
 }
 
 /// Refuses a body by series whose nodes are not equally spaced.
-pub(super) fn check_spacing(body: &SeriesBody) -> Result<(), ModelError> {
+fn check_spacing(body: &SeriesBody) -> Result<(), ModelError> {
     let nodes = body.nodes();
     let means = nodes.mean_angles();
     let mut apart = means.iter().zip(nodes.angles());
