@@ -189,6 +189,12 @@ impl Basis {
     }
 }
 
+/// Σ c_n q_n of `coefficients` and `values`.
+pub(crate) fn sum(coefficients: &[C64], values: &[C64]) -> C64 {
+    let pairs = coefficients.iter().zip(values);
+    pairs.map(|(a, q)| a * q).sum()
+}
+
 /// Re Σ conj a b, in four sums that do not wait for each other.
 fn real_product(a: &[C64], b: &[C64]) -> f64 {
     let mut sums = [0.0; 4];

@@ -28,7 +28,7 @@ use stickslip_fem_core::mesh::Point;
 use crate::channel::{Unit, channels, hat_means, sides};
 use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
-use crate::field::{Body, Edge, Field, Ingredients, Inside, PolarStress, check, forces};
+use crate::field::{Body, Edge, EdgeOf, Field, Ingredients, Inside, PolarStress, check, forces};
 use crate::hole::check_load;
 use crate::nodes::Nodes;
 
@@ -204,7 +204,7 @@ impl Disk {
         let of = Ingredients {
             nodes: &self.nodes,
             circle: self.circle,
-            material: self.material,
+            unit: self.circle.radius / (2.0 * self.material.shear),
             forces: state.forces,
             inside: true,
         };
@@ -226,7 +226,7 @@ impl Disk {
                 *sum += factor * part;
             }
         }
-        Ok(Field::new(&of, hats, Body::Inside(inside), rigid))
+        Ok(Field::new(&of, hats, Body::Inside(inside, kappa), rigid))
     }
 
     fn is_centred(&self) -> bool {
@@ -247,7 +247,7 @@ impl Disk {
         let edge = Edge {
             nodes: &self.nodes,
             circle: self.circle,
-            inside: true,
+            of: EdgeOf::Disk,
             angles,
         };
         let loads = edge.loads(&forces);

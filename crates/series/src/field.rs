@@ -14,20 +14,26 @@ mod hats;
 mod inside;
 mod kink;
 mod modes;
+mod outer_planes;
 mod outside;
+mod planes;
 mod polylog;
+mod state;
 
 use nalgebra::{Complex, DMatrix, DVector};
 use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::mesh::Point;
 
-use crate::circle::{Circle, Kolosov};
+use crate::circle::Circle;
 use crate::error::SeriesError;
+use crate::lekhnitskii::Planes;
 use crate::nodes::Nodes;
-pub(crate) use edges::Edge;
+pub(crate) use edges::{Edge, EdgeOf};
 pub(crate) use hats::Hats;
 pub(crate) use inside::Inside;
+pub(crate) use outer_planes::OuterPlanes;
 pub(crate) use outside::{Outer, Outside};
+use state::State;
 
 type C64 = Complex<f64>;
 
@@ -49,7 +55,8 @@ pub struct PolarStress {
 #[derive(Clone, Debug)]
 pub struct Field {
     circle: Circle,
-    material: Kolosov,
+    /// Unit of the motions of the potentials `[length/stress]`.
+    unit: f64,
     /// Stresses σ_rr + iσ_rθ on the circle, along x and y.
     hats: Hats,
     body: Body,
@@ -60,30 +67,20 @@ pub struct Field {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Body {
-    Outside(Outside),
-    Inside(Inside),
-}
-
-/// Potentials at a point, in radii.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Local {
-    /// φ′.
-    pub(crate) phi: C64,
-    /// φ″.
-    pub(crate) slope: C64,
-    /// ψ′.
-    pub(crate) psi: C64,
-    /// κφ − conj ψ, without −ζ conj φ′.
-    pub(crate) motion: C64,
-    /// σ_xx + σ_yy and σ_yy − σ_xx + 2iσ_xy of a force spread over the area.
-    pub(crate) spread: (f64, C64),
+    /// With κ.
+    Outside(Outside, f64),
+    /// With κ.
+    Inside(Inside, f64),
+    /// An anisotropic plate.
+    Planes(Outside, Box<Planes>),
 }
 
 /// What a field is made of besides its body.
 pub(crate) struct Ingredients<'a> {
     pub(crate) nodes: &'a Nodes,
     pub(crate) circle: Circle,
-    pub(crate) material: Kolosov,
+    /// Unit of the motions of the potentials `[length/stress]`.
+    pub(crate) unit: f64,
     /// Forces `[force]` on the nodes, 2n.
     pub(crate) forces: &'a [f64],
     /// Whether the body is inside of the circle.
@@ -131,7 +128,7 @@ impl Field {
         let [x, y, turn] = motions;
         Self {
             circle: of.circle,
-            material: of.material,
+            unit: of.unit,
             translation: C64::new(x, y),
             turn: turn / of.circle.radius,
             hats,
@@ -142,10 +139,12 @@ impl Field {
     /// Stress `[stress]` at the angle `theta` `[rad]` of the circle: σ_rr and σ_rθ interpolated between nodes, σ_θθ exact for these.
     pub fn edge(&self, theta: f64) -> PolarStress {
         let traction = self.hats.at(theta) * C64::from_polar(1.0, -theta);
-        let kappa = self.material.kappa;
         let sum = match &self.body {
-            Body::Outside(outside) => outside.sum_on_edge(&self.hats, theta, kappa),
-            Body::Inside(inside) => inside.sum_on_edge(&self.hats, theta, kappa),
+            Body::Outside(outside, kappa) => outside.sum_on_edge(&self.hats, theta, *kappa),
+            Body::Inside(inside, kappa) => inside.sum_on_edge(&self.hats, theta, *kappa),
+            Body::Planes(outside, planes) => {
+                planes::sum_on_edge(planes, outside, &self.hats, theta)
+            }
         };
         PolarStress {
             radial: traction.re,
@@ -161,13 +160,13 @@ impl Field {
     /// [`SeriesError::OutsideBody`] for a point that the body does not have.
     pub fn at(&self, point: Point) -> Result<(PolarStress, [f64; 2]), SeriesError> {
         let zeta = self.inside(point)?;
-        let local = self.local(zeta);
+        let state = self.state(zeta);
         let stress = if on_edge(zeta) {
             self.edge(zeta.arg())
         } else {
-            stress(zeta, &local)
+            stress(zeta, &state)
         };
-        Ok((stress, self.moved(zeta, &local)))
+        Ok((stress, self.moved(zeta, &state)))
     }
 
     /// Stress `[stress]` at `point` `[length]`, on the circle as [`edge`](Self::edge); infinite at a disk's centre where a force acts there.
@@ -179,7 +178,7 @@ impl Field {
         Ok(if on_edge(zeta) {
             self.edge(zeta.arg())
         } else {
-            stress(zeta, &self.local(zeta))
+            stress(zeta, &self.state(zeta))
         })
     }
 
@@ -189,21 +188,20 @@ impl Field {
     /// [`SeriesError::OutsideBody`] for a point that the body does not have.
     pub fn displacement(&self, point: Point) -> Result<[f64; 2], SeriesError> {
         let zeta = self.inside(point)?;
-        Ok(self.moved(zeta, &self.local(zeta)))
+        Ok(self.moved(zeta, &self.state(zeta)))
     }
 
-    fn moved(&self, zeta: C64, local: &Local) -> [f64; 2] {
-        let unit = self.circle.radius / (2.0 * self.material.shear);
-        let own = (local.motion - zeta * local.phi.conj()) * unit;
+    fn moved(&self, zeta: C64, state: &State) -> [f64; 2] {
         let turned = C64::new(0.0, self.turn * self.circle.radius) * zeta;
-        let found = own + turned + self.translation;
+        let found = state.motion * self.unit + turned + self.translation;
         [found.re, found.im]
     }
 
-    fn local(&self, zeta: C64) -> Local {
+    fn state(&self, zeta: C64) -> State {
         match &self.body {
-            Body::Outside(outside) => outside.at(&self.hats, zeta, self.material.kappa),
-            Body::Inside(inside) => inside.at(&self.hats, zeta, self.material.kappa),
+            Body::Outside(outside, kappa) => outside.at(&self.hats, zeta, *kappa).state(zeta),
+            Body::Inside(inside, kappa) => inside.at(&self.hats, zeta, *kappa).state(zeta),
+            Body::Planes(outside, planes) => planes::at(planes, outside, &self.hats, zeta),
         }
     }
 
@@ -213,8 +211,10 @@ impl Field {
         let zeta = C64::new(point[0] - centre[0], point[1] - centre[1]) / self.circle.radius;
         let length = zeta.norm();
         let has = match &self.body {
-            Body::Outside(outside) => length >= 1.0 - ON_EDGE && outside.contains(zeta),
-            Body::Inside(_) => length <= 1.0 + ON_EDGE,
+            Body::Outside(outside, _) | Body::Planes(outside, _) => {
+                length >= 1.0 - ON_EDGE && outside.contains(zeta)
+            }
+            Body::Inside(..) => length <= 1.0 + ON_EDGE,
         };
         if has {
             Ok(if on_edge(zeta) { zeta / length } else { zeta })
@@ -228,10 +228,11 @@ fn on_edge(zeta: C64) -> bool {
     (zeta.norm() - 1.0).abs() < ON_EDGE
 }
 
-/// Stress of the potentials `local` at `zeta`.
-fn stress(zeta: C64, local: &Local) -> PolarStress {
-    let sum = 4.0 * local.phi.re + local.spread.0;
-    let difference = 2.0 * (zeta.conj() * local.slope + local.psi) + local.spread.1;
+/// The stress of `state` at `zeta`.
+fn stress(zeta: C64, state: &State) -> PolarStress {
+    let &State {
+        sum, difference, ..
+    } = state;
     let length = zeta.norm();
     let direction = if length > 0.0 {
         zeta / length

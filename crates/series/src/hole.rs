@@ -9,7 +9,9 @@ use stickslip_fem_core::mesh::Point;
 use crate::channel::{Channel, Unit, channels, hat_means};
 use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
-use crate::field::{Body, Edge, Field, Ingredients, Outside, PolarStress, check, forces, motions};
+use crate::field::{
+    Body, Edge, EdgeOf, Field, Ingredients, Outside, PolarStress, check, forces, motions,
+};
 use crate::nodes::Nodes;
 
 /// What acts on the plate far from the hole. In a half model it is that on the whole plate, and has no force along y, moment or shear.
@@ -175,7 +177,7 @@ impl Hole {
         let of = Ingredients {
             nodes: &self.nodes,
             circle: self.circle,
-            material: self.material,
+            unit: self.circle.radius / (2.0 * self.material.shear),
             forces: state.forces,
             inside: false,
         };
@@ -189,7 +191,7 @@ impl Hole {
         Ok(Field::new(
             &of,
             of.hats(),
-            Body::Outside(outside),
+            Body::Outside(outside, self.material.kappa),
             motions(state.motions),
         ))
     }
@@ -223,7 +225,7 @@ impl Hole {
         let edge = Edge {
             nodes: &self.nodes,
             circle: self.circle,
-            inside: false,
+            of: EdgeOf::Plate,
             angles,
         };
         let loads = edge.loads(&forces);

@@ -17,10 +17,13 @@
 //!
 //! Source: Lekhnitskii, *Anisotropic Plates* (1968), §§ 8, 31.
 
+mod planes;
+
 use nalgebra::{Complex, Matrix3, Vector3};
 use stickslip_fem_core::material::PlaneStiffness;
 
 use crate::circle::Surface;
+pub(crate) use planes::Planes;
 
 type C64 = Complex<f64>;
 
@@ -47,6 +50,11 @@ impl Lekhnitskii {
     /// M v.
     pub(crate) fn apply(&self, [x, y]: [C64; 2]) -> [C64; 2] {
         self.matrix.map(|[a, b]| a * x + b * y)
+    }
+
+    /// Im M.
+    fn imaginary(&self) -> [[f64; 2]; 2] {
+        self.matrix.map(|row| row.map(|entry| entry.im))
     }
 
     /// Im M and −Re M.

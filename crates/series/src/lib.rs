@@ -15,7 +15,7 @@
 //! | [`Nodes`] | nodes on a circle, uniform or graded, whole, part or one half of a symmetric body |
 //! | [`Hole`] | hole in an infinite plate |
 //! | [`AnisotropicHole`] | the same in a plate of any linear material |
-//! | [`Plate`] | hole in a plate with straight outer edges, [`Outline`] |
+//! | [`Plate`] | hole in a plate with straight outer edges, [`Outline`], isotropic or anisotropic |
 //! | [`Disk`] | pin, loaded and held at its centre or over its area |
 //! | [`Field`] | stresses and displacements anywhere in a body |
 //!
@@ -28,6 +28,7 @@ mod arnoldi;
 mod channel;
 mod circle;
 mod disk;
+mod elasticity;
 mod error;
 mod field;
 mod gauss;

@@ -24,13 +24,17 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::body::BodyLoad;
-use stickslip_fem_core::material::Isotropic;
+use stickslip_fem_core::material::{Isotropic, Material};
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Unit, hat_means, sides};
-use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
+use crate::circle::{Circle, Kolosov, compliance};
+use crate::elasticity::Elasticity;
 use crate::error::SeriesError;
-use crate::field::{Body, Edge, Field, Ingredients, Outside, PolarStress, check, combined, forces};
+use crate::field::{
+    Body, Edge, EdgeOf, Field, Ingredients, Outside, PolarStress, check, combined, forces,
+};
+use crate::lekhnitskii::Planes;
 use crate::nodes::Nodes;
 use crate::outline::{Outline, Surrounding};
 use fit::{OuterFit, Task, channels};
@@ -100,7 +104,7 @@ pub struct Fit {
 pub struct Plate {
     nodes: Nodes,
     circle: Circle,
-    material: Kolosov,
+    elasticity: Elasticity,
     surrounding: Surrounding,
     fits: Vec<Part>,
     /// Even tractions on the hole that balance forces.
@@ -139,10 +143,49 @@ impl Plate {
         loads: &[Vec<EdgeLoad>],
         accuracy: Accuracy,
     ) -> Result<Self, SeriesError> {
+        let elasticity = Elasticity::Isotropic(Kolosov::from(material));
+        Self::of(nodes, elasticity, circle, outline, loads, accuracy)
+    }
+
+    /// The same of any linear material, for example a laminate; of an isotropic one [`new`](Self::new) makes it.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`SeriesError::Material`] for a material that is not stable, that is isotropic, or that does not mirror itself in the axis
+    /// of a half model.
+    pub fn anisotropic(
+        nodes: Nodes,
+        material: &dyn Material,
+        circle: Circle,
+        outline: &Outline,
+        loads: &[Vec<EdgeLoad>],
+        accuracy: Accuracy,
+    ) -> Result<Self, SeriesError> {
+        if nodes.is_mirrored() && !material.symmetric_about_x() {
+            let what = "does not mirror itself in the axis of the half model";
+            return Err(SeriesError::Material { what });
+        }
+        let what = "has no positive definite stiffness, or is isotropic";
+        let planes = Planes::new(&material.compliance()).ok_or(SeriesError::Material { what })?;
+        let elasticity = Elasticity::Anisotropic(planes);
+        Self::of(nodes, elasticity, circle, outline, loads, accuracy)
+    }
+
+    fn of(
+        nodes: Nodes,
+        elasticity: Elasticity,
+        circle: Circle,
+        outline: &Outline,
+        loads: &[Vec<EdgeLoad>],
+        accuracy: Accuracy,
+    ) -> Result<Self, SeriesError> {
         let circle = circle.checked()?;
-        let surrounding = Surrounding::new(outline, circle)?.fitting(&nodes)?;
+        let mut surrounding = Surrounding::new(outline, circle)?.fitting(&nodes)?;
+        if let Elasticity::Anisotropic(planes) = &elasticity
+            && !planes.is_symmetric()
+        {
+            surrounding.images = None;
+        }
         let actions = actions(&nodes, circle, outline, &surrounding, loads)?;
-        let material = Kolosov::from(material);
         let points = circle.places(&nodes);
         let modes = circle.motions(&nodes, &points);
         let hold = Hold::new(&nodes, modes);
@@ -150,7 +193,8 @@ impl Plate {
             .map(|[x, y, moment]| circle.resultants(&nodes, [*x, *y], *moment))
             .collect();
         let balance = hold.balance(&mode_loads);
-        let orders = orders(&surrounding, circle, accuracy.tolerance)?;
+        let distance = fit::distance(&elasticity, &surrounding);
+        let orders = orders(distance, circle, accuracy.tolerance)?;
         let to_traction = sides(&nodes) / (2.0 * PI * circle.radius * circle.thickness);
         let part = |units| {
             let channels = channels(units, orders);
@@ -160,7 +204,7 @@ impl Plate {
                 units,
                 orders,
                 channels: &channels,
-                kappa: material.kappa,
+                elasticity: &elasticity,
                 tractions: &actions.tractions,
                 reactions: &(means.tr_mul(&balance) * -to_traction),
             };
@@ -171,10 +215,10 @@ impl Plate {
             .into_iter()
             .map(part)
             .collect::<Result<Vec<Part>, SeriesError>>()?;
-        let surface = Surface::new(material, Side::Outside);
+        let surface = elasticity.outside();
         let mut compliance = compliance(&nodes, surface, circle.thickness);
         let mut responses = &compliance * &balance;
-        let unit = circle.radius / (2.0 * material.shear);
+        let unit = elasticity.unit(circle.radius);
         for part in &fits {
             part.add_motion([unit, to_traction], &mut compliance, &mut responses);
         }
@@ -192,7 +236,7 @@ impl Plate {
             surrounding,
             nodes,
             circle,
-            material,
+            elasticity,
         })
     }
 
@@ -229,7 +273,7 @@ impl Plate {
         let of = Ingredients {
             nodes: &self.nodes,
             circle: self.circle,
-            material: self.material,
+            unit: self.elasticity.unit(self.circle.radius),
             forces: forces.as_slice(),
             inside: false,
         };
@@ -242,7 +286,11 @@ impl Plate {
             let amounts = &part.fit.by_channels * tractions + &part.fit.by_loads * &multipliers;
             part.fit.add_to(&mut outside, &amounts);
         }
-        Ok(Field::new(&of, of.hats(), Body::Outside(outside), rigid))
+        let body = match self.elasticity {
+            Elasticity::Isotropic(material) => Body::Outside(outside, material.kappa),
+            Elasticity::Anisotropic(planes) => Body::Planes(outside, Box::new(planes)),
+        };
+        Ok(Field::new(&of, of.hats(), body, rigid))
     }
 
     /// Stresses `[stress]` at the angles `angles` `[rad]` of the hole's edge under each of `states`, as [`Field::edge`] of each [`field`](Self::field), by
@@ -270,14 +318,22 @@ impl Plate {
         let edge = Edge {
             nodes: &self.nodes,
             circle: self.circle,
-            inside: false,
+            of: match &self.elasticity {
+                Elasticity::Isotropic(_) => EdgeOf::Plate,
+                Elasticity::Anisotropic(planes) => EdgeOf::Planes(planes),
+            },
             angles,
         };
         let loads = edge.loads(&all);
         let directions = edge.directions();
         let mut further = DMatrix::from_fn(angles.len(), states.len(), |place, state| {
-            let a = loads[state].mean / (1.0 + self.material.kappa);
-            4.0 * (a * directions[place].conj()).re
+            let (mean, direction) = (loads[state].mean, directions[place]);
+            match &self.elasticity {
+                Elasticity::Isotropic(material) => {
+                    4.0 * (mean / (1.0 + material.kappa) * direction.conj()).re
+                }
+                Elasticity::Anisotropic(planes) => planes.mean_on_edge(mean, direction),
+            }
         });
         for part in &self.fits {
             let tractions = part.means.tr_mul(&balanced) * -self.to_traction();
@@ -338,12 +394,12 @@ fn unit_sets(nodes: &Nodes, surrounding: &Surrounding) -> Vec<&'static [Unit]> {
 }
 
 /// The largest order K of the hole's modes that matters at the outer edge, (R/d)^K a thousandth of the tolerance.
-fn orders(surrounding: &Surrounding, circle: Circle, tolerance: f64) -> Result<i64, SeriesError> {
+fn orders(distance: f64, circle: Circle, tolerance: f64) -> Result<i64, SeriesError> {
     let digits = (1e3 / tolerance.clamp(1e-13, 1.0)).ln();
-    let needed = (digits / surrounding.distance.ln()).ceil() + 2.0;
+    let needed = (digits / distance.ln()).ceil() + 2.0;
     if needed > LARGEST_ORDER as f64 {
         return Err(SeriesError::Ligament {
-            ligament: (surrounding.distance - 1.0) * circle.radius,
+            ligament: (distance - 1.0) * circle.radius,
             radius: circle.radius,
             needed,
             largest: LARGEST_ORDER,
@@ -358,16 +414,17 @@ fn orders(surrounding: &Surrounding, circle: Circle, tolerance: f64) -> Result<i
 /// ```text
 /// 22 d/(d − 1) (P/8d)^0.7 (2e-3/tolerance)^¼
 /// ```
-fn predicted_degree(surrounding: &Surrounding, tolerance: f64) -> f64 {
-    let distance = surrounding.distance;
+fn predicted_degree(task: &Task<'_>, tolerance: f64) -> f64 {
+    let surrounding = task.surrounding;
+    let distance = fit::distance(task.elasticity, surrounding);
     let length: f64 = surrounding.sides.iter().map(|side| side.length).sum();
-    let shape = distance / (distance - 1.0) * (length / (8.0 * distance)).powf(0.7);
+    let shape = distance / (distance - 1.0) * (length / (8.0 * surrounding.distance)).powf(0.7);
     22.0 * shape * (2e-3 / tolerance.clamp(1e-13, 1.0)).powf(0.25)
 }
 
 /// The fit of the degree that its outline needs; of higher ones while its residual is too large and becomes smaller.
 fn fitted(task: &Task<'_>, accuracy: Accuracy) -> Result<OuterFit, SeriesError> {
-    let mut degree = predicted_degree(task.surrounding, accuracy.tolerance);
+    let mut degree = predicted_degree(task, accuracy.tolerance);
     let mut best: Option<OuterFit> = None;
     loop {
         let last = degree >= accuracy.degree as f64;

@@ -18,7 +18,7 @@ const FAMILIES: &[(&str, usize)] = &[
     ("present", 23),
     ("report", 13),
     ("scene", 6),
-    ("series", 6),
+    ("series", 4),
     ("stickslip", 12),
 ];
 

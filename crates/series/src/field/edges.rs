@@ -4,7 +4,7 @@
 //! σ_rr + σ_θθ = −4 Re e^{−iθ} Σ_J [D_J Li_2(e^{±i(θ − θ_J)}) ± i j_J Li_1(e^{±i(θ − θ_J)})] + …     (+: disk, −: hole)
 //! ```
 //!
-//! The sum over the jumps of slope D_J is a product of a matrix of places and knots, which no state changes, with a matrix of knots and states. An image's
+//! In an anisotropic plate −4 e^{−iθ} is −a, and −b conj D_J is added. The sum over the jumps of slope D_J is a product of a matrix of places and knots, which no state changes, with a matrix of knots and states. An image's
 //! D is the conjugate of its own, so knots of a half model are enough. Of nodes with equal spacings Li_2 depends on differences alone.
 
 use nalgebra::{Complex, DMatrix};
@@ -15,6 +15,7 @@ use super::kink::Kink;
 use super::polylog::Polylogarithms;
 use super::{PolarStress, values};
 use crate::circle::Circle;
+use crate::lekhnitskii::Planes;
 use crate::nodes::Nodes;
 
 type C64 = Complex<f64>;
@@ -26,10 +27,35 @@ const TOGETHER: usize = 32;
 pub(crate) struct Edge<'a> {
     pub(crate) nodes: &'a Nodes,
     pub(crate) circle: Circle,
-    /// Whether the body is inside of the circle.
-    pub(crate) inside: bool,
+    /// The body on it.
+    pub(crate) of: EdgeOf<'a>,
     /// Angles `[rad]`.
     pub(crate) angles: &'a [f64],
+}
+
+/// What body has the circle.
+#[derive(Clone, Copy)]
+pub(crate) enum EdgeOf<'a> {
+    /// A disk.
+    Disk,
+    /// A plate.
+    Plate,
+    /// An anisotropic plate.
+    Planes(&'a Planes),
+}
+
+impl EdgeOf<'_> {
+    /// Factors (a, b) of the sum over negative modes e^{−ikθ}, of a disk of that over positive modes, and of the conjugate of the other one, in σ_rr + σ_θθ.
+    fn factors(self, direction: C64) -> [C64; 2] {
+        match self {
+            Self::Disk | Self::Plate => [4.0 * direction.conj(), C64::new(0.0, 0.0)],
+            Self::Planes(planes) => planes.factors(direction),
+        }
+    }
+
+    fn is_disk(self) -> bool {
+        matches!(self, Self::Disk)
+    }
 }
 
 /// Tractions of a state.
@@ -50,7 +76,7 @@ impl Load {
 impl Edge<'_> {
     /// The tractions by nodal forces `[force]`, 2n × states.
     pub(crate) fn loads(&self, forces: &DMatrix<f64>) -> Vec<Load> {
-        let sign = if self.inside { 1.0 } else { -1.0 };
+        let sign = if self.of.is_disk() { 1.0 } else { -1.0 };
         let load = |forces: &[f64]| {
             let values = values(self.nodes, self.circle, forces, sign);
             Load {
@@ -81,14 +107,18 @@ impl Edge<'_> {
             .into_iter()
             .map(|(knot, _)| knot)
             .collect();
-        let side = usize::from(!self.inside);
+        let side = usize::from(!self.of.is_disk());
         let of_state = |(state, load): (usize, &Load)| {
             let jumps: Vec<Kink> = ends.iter().map(|&knot| load.kinks[knot]).collect();
             let at = |(place, &theta): (usize, &f64)| {
                 let inverse = directions[place].conj();
                 let traction = parts.interpolated(&load.values, theta) * inverse;
-                let of_jumps = on_edge_of_jumps(&jumps, theta, inverse)[side].re;
-                let sum = sums[(state, place)] + 4.0 * of_jumps + further[(place, state)];
+                let [a, b] = self.of.factors(directions[place]);
+                let mut of_jumps = on_edge_of_jumps(&jumps, theta, a)[side].re;
+                if b != C64::new(0.0, 0.0) {
+                    of_jumps += on_edge_of_jumps(&jumps, theta, b.conj())[1 - side].re;
+                }
+                let sum = sums[(state, place)] + of_jumps + further[(place, state)];
                 PolarStress {
                     radial: traction.re,
                     hoop: sum - traction.re,
@@ -124,7 +154,7 @@ impl Edge<'_> {
 /// σ_rr + σ_θθ at a place by the jumps of slope, real and imaginary part of each, of the nodes.
 struct Kernel<'a> {
     nodes: &'a Nodes,
-    inside: bool,
+    of: EdgeOf<'a>,
     polylogarithms: Polylogarithms,
     /// Li_2(e^{iα}) at differences of knots, in steps, where spacings are equal.
     even: Vec<C64>,
@@ -140,7 +170,7 @@ impl<'a> Kernel<'a> {
         });
         Self {
             nodes: edge.nodes,
-            inside: edge.inside,
+            of: edge.of,
             even,
             polylogarithms,
         }
@@ -148,7 +178,8 @@ impl<'a> Kernel<'a> {
 
     fn fill(&self, theta: f64, column: &mut [f64]) {
         let knots = self.nodes.knots();
-        let factor = -4.0 * C64::from_polar(1.0, -theta);
+        let [a, b] = self.of.factors(C64::from_polar(1.0, theta));
+        let (along, across) = (-(a + b), C64::new(0.0, -1.0) * (a - b));
         let here = self.knot(theta);
         let at = |knot: usize| {
             let li = match here {
@@ -162,17 +193,17 @@ impl<'a> Kernel<'a> {
                 }
                 None => (self.polylogarithms).second_on_circle(wrapped(theta - knots[knot].angle)),
             };
-            factor * if self.inside { li } else { li.conj() }
+            if self.of.is_disk() { li } else { li.conj() }
         };
         for (node, parts) in column.chunks_exact_mut(2).enumerate() {
             let own = at(node);
-            parts[0] = own.re;
-            parts[1] = -own.im;
+            parts[0] = (along * own).re;
+            parts[1] = (across * own).re;
             let image = knots[node].image;
             if image != node {
                 let other = at(image);
-                parts[0] += other.re;
-                parts[1] += other.im;
+                parts[0] += (along * other).re;
+                parts[1] -= (across * other).re;
             }
         }
     }

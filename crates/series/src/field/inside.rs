@@ -8,9 +8,9 @@
 
 use nalgebra::Complex;
 
-use super::Local;
 use super::hats::Hats;
 use super::kink::{Kink, mode};
+use super::state::Local;
 
 type C64 = Complex<f64>;
 

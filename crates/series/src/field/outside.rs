@@ -11,9 +11,10 @@ use std::sync::{Arc, OnceLock};
 
 use nalgebra::Complex;
 
-use super::Local;
 use super::hats::{Hats, Sums};
-use crate::arnoldi::Basis;
+use super::outer_planes::OuterPlanes;
+use super::state::Local;
+use crate::arnoldi::{Basis, sum};
 use crate::outline::{Surrounding, corner};
 
 type C64 = Complex<f64>;
@@ -27,6 +28,8 @@ pub(crate) struct Outside {
     pub(crate) even: [C64; 2],
     /// Parts that an outer edge adds.
     pub(crate) outer: Vec<Outer>,
+    /// The same in an anisotropic plate.
+    pub(crate) outer_planes: Vec<OuterPlanes>,
     /// The outer edge.
     pub(crate) outline: Option<Surrounding>,
 }
@@ -106,7 +109,7 @@ impl Outside {
     }
 
     /// The sums over all t_k for `x` and over t_−k for its conjugate.
-    fn sums(&self, hats: &Hats, x: C64) -> [Sums; 2] {
+    pub(super) fn sums(&self, hats: &Hats, x: C64) -> [Sums; 2] {
         let enough = hats.enough(x);
         let mut sums = match enough {
             Some(count) => by_modes(hats.modes(count), x),
@@ -192,11 +195,6 @@ impl Outer {
         }
         local.motion += kappa * phi - psi.conj();
     }
-}
-
-fn sum(coefficients: &[C64], values: &[C64]) -> C64 {
-    let pairs = coefficients.iter().zip(values);
-    pairs.map(|(a, q)| a * q).sum()
 }
 
 #[cfg(test)]

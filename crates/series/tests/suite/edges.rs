@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use proptest::prelude::*;
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::body::BodyLoad;
-use stickslip_fem_core::material::{Isotropic, PlaneState};
+use stickslip_fem_core::material::{Isotropic, Orthotropic, OrthotropicConstants, PlaneState};
 use stickslip_series::{
     Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, FarLoad, Field, Hole, Nodes, Outline,
     Plate, PolarStress, SeriesError,
@@ -147,6 +147,12 @@ proptest! {
         let accuracy = Accuracy { tolerance: 1e-2, degree: 60 };
         let plate = Plate::new(nodes.clone(), &material(), CIRCLE, &outline, &loads, accuracy).unwrap();
         check("plate", &plate, &nodes, &numbers, |state| plate.field(state).unwrap(), |states, angles| {
+            plate.edge_stresses(states, angles)
+        });
+        let layer = OrthotropicConstants { e1: 14.0, e2: 3.0, g12: 0.9, nu12: 0.3 };
+        let layer = Orthotropic::new(layer, 0.4 * skews).unwrap();
+        let plate = Plate::anisotropic(nodes.clone(), &layer, CIRCLE, &outline, &loads, accuracy).unwrap();
+        check("layer", &plate, &nodes, &numbers, |state| plate.field(state).unwrap(), |states, angles| {
             plate.edge_stresses(states, angles)
         });
     }

@@ -3,9 +3,11 @@
 use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::interface::contract::{Known, check};
 use stickslip_fem_core::material::{Isotropic, Orthotropic, OrthotropicConstants, PlaneState};
-use stickslip_fem_core::nalgebra::DVector;
+use stickslip_fem_core::nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::{InterfaceOperator, RigidBody};
-use stickslip_series::{AnisotropicHole, Circle, FarLoad, Hole, Nodes};
+use stickslip_series::{
+    Accuracy, AnisotropicHole, Circle, EdgeLoad, FarLoad, Hole, Nodes, Outline, Plate,
+};
 
 use crate::contacts::{follow, problem};
 
@@ -184,4 +186,133 @@ fn both_descriptions_of_an_isotropic_plate_agree() {
         refused.to_string(),
         "the material does not mirror itself in the axis of the half model"
     );
+}
+
+const FAR: Accuracy = Accuracy {
+    tolerance: 1e-4,
+    degree: 60,
+};
+
+/// Compliance of balanced forces: what a plate's own way of floating leaves out.
+fn balanced(operator: &dyn InterfaceOperator, nodes: &Nodes) -> DMatrix<f64> {
+    let modes = operator.modes();
+    let mut weighted = modes.clone();
+    for (node, weight) in nodes.weights().into_iter().enumerate() {
+        weighted.rows_mut(2 * node, 2).scale_mut(weight);
+    }
+    let gram = weighted.tr_mul(modes).try_inverse().unwrap();
+    let size = modes.nrows();
+    let projector = DMatrix::identity(size, size) - modes * (gram * weighted.transpose());
+    &projector * operator.compliance().unwrap() * projector.transpose()
+}
+
+/// Far edges do what no edges do, and pull a free hole as a far stress does.
+#[test]
+fn a_plate_with_far_edges_is_an_infinite_one() {
+    for (angle, nodes) in [
+        (0.0, Nodes::uniform_half(31).unwrap()),
+        (0.5, Nodes::uniform_circle(60).unwrap()),
+    ] {
+        let layer = Orthotropic::new(plate().constants(), angle).unwrap();
+        let half = 300.0;
+        let outline = Outline::strip(half, half, half);
+        let pull = [1, 3].map(|edge| EdgeLoad {
+            edge,
+            force: [if edge == 1 { 2.0 * half } else { -2.0 * half }, 0.0],
+        });
+        let far = FarLoad {
+            stress: [1.0, 0.0, 0.0],
+            ..FarLoad::default()
+        };
+        let own = Plate::anisotropic(nodes.clone(), &layer, UNIT, &outline, &[pull.to_vec()], FAR);
+        let own = own.unwrap();
+        let other = AnisotropicHole::floating(nodes.clone(), &layer, UNIT, &[far]).unwrap();
+        let [found, expected] =
+            [&own as &dyn InterfaceOperator, &other].map(|operator| balanced(operator, &nodes));
+        // The edge reflects what the hole sends there, (R/d)².
+        assert!((&found - &expected).amax() < 1e-4 * expected.amax());
+        let state = BodyLoad {
+            forces: &vec![0.0; 2 * nodes.len()],
+            multipliers: &[1.0],
+            motions: &vec![0.0; own.modes().ncols()],
+        };
+        let (field, edge) = (own.field(&state).unwrap(), other.edge(&state).unwrap());
+        for theta in [0.1, 0.9, 1.6, 2.4, 3.0] {
+            let (a, b) = (field.edge(theta).hoop, edge.at(theta).hoop);
+            assert!((a - b).abs() < 3e-4, "{theta}: {a} {b}");
+        }
+    }
+}
+
+/// A plate whose two moduli differ by little is nearly the isotropic one, though its planes nearly are one.
+#[test]
+fn nearly_isotropic_plates_lose_few_digits() {
+    let nodes = Nodes::uniform_half(25).unwrap();
+    let outline = Outline::strip(3.0, 6.0, 2.5);
+    let loads = [vec![EdgeLoad {
+        edge: 1,
+        force: [1.0, 0.0],
+    }]];
+    let isotropic = Isotropic::new(2.6, 0.3, PlaneState::Stress).unwrap();
+    let expected = Plate::new(nodes.clone(), &isotropic, UNIT, &outline, &loads, FAR).unwrap();
+    for part in [1e-2, 1e-4, 1e-6, 1e-8] {
+        let constants = OrthotropicConstants {
+            e1: 2.6 * (1.0 + part),
+            e2: 2.6,
+            g12: 1.0,
+            nu12: 0.3,
+        };
+        let layer = Orthotropic::new(constants, 0.0).unwrap();
+        let found = Plate::anisotropic(nodes.clone(), &layer, UNIT, &outline, &loads, FAR).unwrap();
+        let size = expected.compliance().unwrap().amax();
+        let difference = found.compliance().unwrap() - expected.compliance().unwrap();
+        assert!(difference.amax() < (2.0 * part + 1e-6) * size, "{part}");
+        let difference = found.load_response(0).unwrap() - expected.load_response(0).unwrap();
+        assert!(difference.amax() < (2.0 * part + 1e-6) * size, "{part}");
+    }
+    let refused = Plate::anisotropic(nodes, &isotropic, UNIT, &outline, &loads, FAR).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "the material has no positive definite stiffness, or is isotropic"
+    );
+}
+
+/// A plate that is turned with its material, its outline and its load moves as it did.
+#[test]
+fn turned_plates_are_the_same() {
+    let count = 48;
+    let nodes = Nodes::uniform_circle(count).unwrap();
+    let corners = [[-3.0, -2.5], [6.0, -2.5], [6.0, 2.5], [-3.0, 2.5]];
+    let made = |steps: usize| {
+        let angle = std::f64::consts::TAU * steps as f64 / count as f64;
+        let (sin, cos) = angle.sin_cos();
+        let turn = |[x, y]: [f64; 2]| [x * cos - y * sin, x * sin + y * cos];
+        let layer = Orthotropic::new(plate().constants(), angle).unwrap();
+        let outline = Outline::new(corners.map(turn).to_vec());
+        let force = turn([1.0, 0.3]);
+        let loads = [vec![EdgeLoad { edge: 1, force }]];
+        let made = Plate::anisotropic(nodes.clone(), &layer, UNIT, &outline, &loads, FAR).unwrap();
+        let response = made.load_response(0).unwrap().clone();
+        let back = |node: usize| {
+            let own = (node + steps) % count;
+            let [x, y] = [response[2 * own], response[2 * own + 1]];
+            [x * cos + y * sin, y * cos - x * sin]
+        };
+        (0..count).map(back).collect::<Vec<_>>()
+    };
+    let expected = made(0);
+    let size = expected
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |a, b| a.max(b.abs()));
+    for steps in [6, 12, 17] {
+        for (a, b) in made(steps).iter().zip(&expected) {
+            for axis in 0..2 {
+                assert!(
+                    (a[axis] - b[axis]).abs() < 1e-5 * size,
+                    "{steps} {a:?} {b:?}"
+                );
+            }
+        }
+    }
 }

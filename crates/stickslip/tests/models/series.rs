@@ -121,6 +121,34 @@ fn a_quasi_isotropic_laminate_is_a_series() {
     assert!(pressure < 4e-4, "{pressure:e}");
 }
 
+/// Laminates whose planes are apart, images of each other, and aside of the axis. Loading only: the cusp where slip turns round, the peak pressure of unloading, is
+/// half a percent low in cells of 0.75°.
+#[test]
+fn anisotropic_plates_agree_with_elements() {
+    let ply = r#"plies.carbon={ e1 = "140 GPa", e2 = "9 GPa", g12 = "5 GPa", nu12 = 0.3, thickness = "0.25 mm" }"#;
+    let load = r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["1 kN", "4 kN"] } }"#;
+    for layup in [
+        "[0_2/90]2s",
+        "[90/45/-45/90/0/90]s",
+        "[45/-45/45/-45/0/45]s",
+        "[30_4/90_2]s",
+    ] {
+        let laminate = format!(
+            r#"materials.aluminium={{ laminate = {{ layup = "{layup}", ply = "carbon" }} }}"#
+        );
+        let own = r#"bodies.plate.thickness="3 mm""#;
+        let changes = [ply, &laminate, load, own];
+        let series = solved(PIN, &[&changes[..], &[NODES]].concat());
+        let elements = solved(PIN, &[&changes[..], &[MESH]].concat());
+        let [pressure, friction, hoop] = apart(&series, &elements);
+        assert!(
+            pressure < 4e-4 && friction < 4e-3 && hoop < 2e-3,
+            "{layup}: {pressure:e} {friction:e} {hoop:e}"
+        );
+        assert_eq!((series.factorisations, elements.factorisations), (0, 2));
+    }
+}
+
 #[test]
 fn a_series_and_a_body_of_elements_touch() {
     let mixed = [
@@ -190,8 +218,8 @@ fn what_no_series_holds_is_named() {
             "held along an outer edge",
         ),
         (
-            r#"materials.aluminium={ orthotropic = { e1 = "70 GPa", e2 = "50 GPa", g12 = "20 GPa", nu12 = 0.3 } }"#,
-            "not isotropic",
+            r#"materials.aluminium={ orthotropic = { e1 = "210 GPa", e2 = "2 GPa", g12 = "1 GPa", nu12 = 0.3 } }"#,
+            "polynomials",
         ),
     ] {
         let loads = r#"loads.0={ on = "plate.outer", pressure = { steps = ["1 MPa"] } }"#;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, DMatrix};
 
-use super::Task;
+use super::super::task::Task;
 use crate::channel::{Channel, Unit};
 
 type C64 = Complex<f64>;
