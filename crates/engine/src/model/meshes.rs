@@ -22,6 +22,9 @@ pub const NODE_LIMIT: usize = 4_000_000;
 /// plane mesh holds about 8 n log₂ n numbers.
 pub const BYTES_PER_NODE: f64 = 2.0 * 8.0 * 8.0 * 24.0;
 
+/// Most radial layers of a body by series, whose mesh only shows fields.
+const SHOWN_LAYERS: usize = 24;
+
 /// Each elastic body's mesh by the index of the body; none of them has more nodes, nor all together, than `limits` allow.
 pub(super) fn build(
     plan: &Plan<'_>,
@@ -75,6 +78,11 @@ fn meshing(
         spacing: grading.map(|grading| grading.spacing),
         fine_to: grading.and_then(|grading| grading.fine_to),
         layers: body.mesh.layers,
+        most_layers: if body.series.is_some() {
+            SHOWN_LAYERS
+        } else {
+            usize::MAX
+        },
         extent: if half { Extent::Half } else { Extent::Whole },
         centre: body.centre,
         partner: partner.map(|partner| &**partner.shape),

@@ -70,7 +70,8 @@ impl Outline for Disk {
     }
 
     fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
-        let layers = ((0.22 * divided.half_count()).round() as usize).max(3);
+        let chosen = (0.22 * divided.half_count()).round() as usize;
+        let layers = chosen.max(3).min(divided.most_layers);
         let generator = generate::Disk {
             radius: self.radius,
             centre: divided.centre,

@@ -47,7 +47,7 @@ pub(super) fn meshing(
     divided: &Divided<'_>,
 ) -> Meshing {
     let chosen = (part * divided.half_count()).round() as usize;
-    let layers = divided.layers.unwrap_or_else(|| chosen.max(4));
+    let layers = (divided.layers).unwrap_or_else(|| chosen.max(4).min(divided.most_layers));
     let plate = PlateWithHole {
         hole_radius,
         outline,

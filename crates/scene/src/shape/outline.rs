@@ -303,6 +303,8 @@ pub struct Divided<'a> {
     pub fine_to: Option<f64>,
     /// Layers between a hole and what surrounds it, where the scene gives them.
     pub layers: Option<usize>,
+    /// Most layers of a round shape where the scene gives none.
+    pub most_layers: usize,
     /// Half or whole.
     pub extent: Extent,
     /// Where the body's centre stands.

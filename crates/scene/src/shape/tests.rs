@@ -67,6 +67,7 @@ fn divided<T>(shape: &Shape, extent: Extent, then: impl Fn(&Divided<'_>) -> T) -
         spacing: (!shape.is_round()).then_some(0.75),
         fine_to: None,
         layers: None,
+        most_layers: usize::MAX,
         extent,
         centre: [0.0; 2],
         partner: partner.as_deref(),

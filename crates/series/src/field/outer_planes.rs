@@ -41,20 +41,19 @@ impl OuterPlanes {
     /// φ_k0.
     pub(super) fn phi(&self, plane: usize, place: C64) -> C64 {
         let w = self.planes.at(plane, place);
-        let own = sum(&self.coefficients[plane], &self.bases[plane].values(w));
         let corners = self.corners[plane].iter();
-        own + corners
-            .map(|(corner, amount)| amount * (1.0 - w / corner).ln())
-            .sum::<C64>()
+        let of_corners = corners.map(|(corner, amount)| amount * (1.0 - w / corner).ln());
+        sum(&self.coefficients[plane], &self.bases[plane].values(w)) + of_corners.sum::<C64>()
     }
 
-    /// Φ_k0.
-    pub(super) fn integral(&self, plane: usize, place: C64) -> C64 {
+    /// φ_k0 and Φ_k0.
+    pub(super) fn both(&self, plane: usize, place: C64) -> [C64; 2] {
         let further = self
             .further
             .get_or_init(|| [0, 1].map(|plane| self.integrated(plane)));
         let (coefficients, mean) = &further[plane];
-        self.integral_by(plane, place, coefficients) - mean
+        let [phi, integral] = self.both_by(plane, place, coefficients);
+        [phi, integral - mean]
     }
 
     fn integrated(&self, plane: usize) -> (Vec<C64>, C64) {
@@ -62,18 +61,22 @@ impl OuterPlanes {
         let coefficients = self.bases[plane].antiderivative(&self.coefficients[plane]);
         let count = PLACES.max(2 * self.bases[plane].degree() + 4);
         let places = (0..count).map(|k| C64::from_polar(1.0, k as f64 * TAU / count as f64));
-        let all = places.map(|place| self.integral_by(plane, place, &coefficients));
+        let all = places.map(|place| self.both_by(plane, place, &coefficients)[1]);
         let mean = all.sum::<C64>() / count as f64;
         (coefficients, mean)
     }
 
-    fn integral_by(&self, plane: usize, place: C64, coefficients: &[C64]) -> C64 {
+    fn both_by(&self, plane: usize, place: C64, coefficients: &[C64]) -> [C64; 2] {
         let w = self.planes.at(plane, place);
-        let own = sum(coefficients, &self.bases[plane].values(w));
-        let corners = self.corners[plane].iter();
-        // ∫ ln(1 − w/c) = −(c − w) ln(1 − w/c) − w.
-        own + corners
-            .map(|(corner, amount)| amount * (-(corner - w) * (1.0 - w / corner).ln() - w))
-            .sum::<C64>()
+        let values = self.bases[plane].values(w);
+        let mut phi = sum(&self.coefficients[plane], &values);
+        let mut integral = sum(coefficients, &values);
+        for (corner, amount) in &self.corners[plane] {
+            let log = (1.0 - w / corner).ln();
+            phi += amount * log;
+            // ∫ ln(1 − w/c) = −(c − w) ln(1 − w/c) − w.
+            integral += amount * (-(corner - w) * log - w);
+        }
+        [phi, integral]
     }
 }

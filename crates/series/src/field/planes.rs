@@ -51,8 +51,9 @@ pub(super) fn at(planes: &Planes, outside: &Outside, hats: &Hats, place: C64) ->
         let log = C64::new(zeta.norm().ln(), wrapped(zeta.arg() - place.arg()));
         integral[plane] = i * planes.split(falling)[plane] - i * log * planes.split(even)[plane];
         for outer in &outside.outer_planes {
-            phi[plane] += outer.phi(plane, place);
-            integral[plane] += outer.integral(plane, place);
+            let [own, integrated] = outer.both(plane, place);
+            phi[plane] += own;
+            integral[plane] += integrated;
         }
     }
     let (sum, difference) = planes.stress(phi);
