@@ -34,9 +34,11 @@
 //! u₂(s_k + δ) = u₂ₖ + δ Σ_j D_kj u₂ⱼ,      W = I + δ D
 //! ```
 //!
-//! with D the derivative in the cells of the edge, at corner nodes the mean of both sides. With the areas A of the nodes, D is skew, A D + Dᵀ A = 0 but for the ends of the
-//! edge. So W moves a uniform pressure as a uniform pressure, also where nodes inside of cells have other areas than corners; the usual interpolation between
-//! neighbours does not, and has pressures that alternate from node to node. What δ² D² u₂/2 would add is an error; beyond [`LARGEST_ERROR`] the
+//! with D the derivative in the cells of the edge, at corner nodes the mean of both sides by their lengths. With the areas A of the nodes, D is skew, A D + Dᵀ A = 0 but for the
+//! ends of the edge. So W moves a uniform pressure as a uniform pressure, also where nodes inside of cells have other areas than corners; the usual interpolation between
+//! neighbours does not, and has pressures that alternate from node to node. Where linear cells differ in length D errs by half of their difference times
+//! u₂″, in a single node. Forces bear that, gaps and slips do not: a gap that is off by δ h u₂″ at a node calls for a pressure that no finer division makes
+//! smaller. So places, gaps, normals and slips are those of the derivative by three nodes, and the forces are moved by D. What δ² D² u₂/2 would add is an error; beyond [`LARGEST_ERROR`] the
 //! increment is refused ([`FailureCause::Apart`](crate::solver::FailureCause::Apart)).
 //!
 //! # Bodies that turn

@@ -13,6 +13,8 @@ pub struct Curve {
     ends: CurveEnds,
     /// For each node the weights of nodes, by their positions along the edge, in the derivative of the displacement by the parameter.
     slopes: Vec<Vec<(usize, f64)>>,
+    /// The same of the derivative that is skew with the areas of the nodes, by which forces move.
+    skew: Vec<Vec<(usize, f64)>>,
 }
 
 /// The shape of an undeformed edge.
@@ -88,11 +90,25 @@ impl Curve {
             return Err("the parameter does not ascend".to_owned());
         }
         Ok(Self {
-            slopes: slopes(&parameter, order, ends),
+            slopes: slopes(&parameter, order, ends, order == 1),
+            skew: slopes(&parameter, order, ends, false),
             shape,
             nodes,
             parameter,
             ends,
+        })
+    }
+
+    /// The same where the displacements that belong to nodes are those at `places` instead, as those of means over hats of unequal widths are. By how much
+    /// forces move along the edge remains a matter of the nodes, whose distances are their areas.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn standing_at(self, places: Vec<f64>) -> Result<Self, String> {
+        let own = Self::new(self.shape, self.nodes, places, 1, self.ends)?;
+        Ok(Self {
+            skew: self.skew,
+            ..own
         })
     }
 
@@ -154,6 +170,11 @@ impl Curve {
         &self.slopes[position]
     }
 
+    /// The same of the skew derivative.
+    pub(super) fn skew(&self, position: usize) -> &[(usize, f64)] {
+        &self.skew[position]
+    }
+
     /// The place `by` beyond the node at `position` of the curve whose nodes are displaced by `moved`.
     pub(super) fn local(&self, moved: &[Point], position: usize, by: f64) -> Local {
         let [mut place, mut tangent, curvature] = self.undeformed(self.parameter[position] + by);
@@ -212,8 +233,14 @@ impl Curve {
     }
 }
 
-/// The derivative in each node's cell, at a corner the mean of both cells by their lengths.
-fn slopes(parameter: &[f64], order: usize, ends: CurveEnds) -> Vec<Vec<(usize, f64)>> {
+/// The derivative in each node's cell, at a corner the mean of both cells by their lengths, or `crosswise` by the length of the other cell: of linear
+/// cells the first is skew and the second exact for parabolas.
+fn slopes(
+    parameter: &[f64],
+    order: usize,
+    ends: CurveEnds,
+    crosswise: bool,
+) -> Vec<Vec<(usize, f64)>> {
     let count = parameter.len();
     let mut slopes: Vec<Vec<(usize, f64)>> = vec![Vec::new(); count];
     let lengths = |first: usize| parameter_at(parameter, first + order) - parameter[first];
@@ -235,7 +262,11 @@ fn slopes(parameter: &[f64], order: usize, ends: CurveEnds) -> Vec<Vec<(usize, f
                 _ => None,
             };
             let length = lengths(first);
-            let share = neighbour.map_or(1.0, |other| length / (length + lengths(other)));
+            let share = neighbour.map_or(1.0, |other| {
+                let other = lengths(other);
+                let own = if crosswise { other } else { length };
+                own / (length + other)
+            });
             for (k, weight) in weights.into_iter().enumerate() {
                 let position = (first + k) % count;
                 match slopes[node]
@@ -347,11 +378,27 @@ mod tests {
             let curve = closed(8, order);
             let mut sums = vec![0.0; curve.nodes().len()];
             for k in 0..sums.len() {
-                for &(node, weight) in curve.slope(k) {
+                for &(node, weight) in curve.skew(k) {
                     sums[node] += areas[k % order] * weight;
                 }
             }
             assert!(sums.iter().all(|sum| sum.abs() < 1e-12), "{order} {sums:?}");
+        }
+    }
+
+    /// Of linear cells of uneven length one derivative is exact for parabolas, the other one skew.
+    #[test]
+    fn linear_cells_have_two_derivatives() {
+        let at = [0.0, 0.5, 1.0, 1.2, 1.3, 2.1, 2.8];
+        let curve = level(&at, 1).unwrap();
+        for (position, &s) in at.iter().enumerate().take(6).skip(1) {
+            let slope = values(curve.slope(position), |k| 0.3 * at[k] * at[k] - 0.7 * at[k]);
+            assert!((slope - (0.6 * s - 0.7)).abs() < 1e-13, "{position}");
+            let area = 0.5 * (at[position + 1] - at[position - 1]);
+            for &(node, weight) in curve.skew(position) {
+                let sign = (node as f64 - position as f64).signum();
+                assert!((weight * area - 0.5 * sign).abs() < 1e-13, "{position}");
+            }
         }
     }
 

@@ -12,6 +12,8 @@ use crate::problem::{ContactPair, ContactPoint, Couple, Stencil, frame};
 #[derive(Clone, Debug)]
 pub(crate) struct Geometry {
     pairs: Vec<ContactPair>,
+    /// The displacements of the places that the points face, of each pair's points.
+    faced: Vec<Vec<Stencil>>,
     couples: Vec<Couple>,
     /// What second derivatives of displacements add to closest points at most `[length]`.
     bend: f64,
@@ -33,17 +35,21 @@ impl Geometry {
     ) -> Result<Self, Unfaced> {
         let (mut before, mut bend, mut couples) = (0, 0.0_f64, Vec::new());
         let mut found = Vec::with_capacity(pairs.len());
+        let mut all_faced = Vec::with_capacity(pairs.len());
         for (pair, facing) in pairs.iter().zip(&gaps.facings) {
             let edges = Edges::new(gaps, pair, facing, moved);
             let mut points = Vec::with_capacity(pair.points.len());
             let mut arms = Vec::with_capacity(pair.points.len());
+            let mut faced = Vec::with_capacity(pair.points.len());
             for (k, point) in pair.points.iter().enumerate() {
                 let by = edges.closest(k).ok_or(Unfaced { point: before + k })?;
                 bend = bend.max(edges.bend(k, by));
                 let (point, arm) = edges.point(k, point, by);
                 points.push(point);
                 arms.push(arm);
+                faced.push(stencil(&facing.second, facing.second.slope(k), k, by));
             }
+            all_faced.push(faced);
             couples.extend(edges.couples(pair, &points, &arms, before));
             before += points.len();
             found.push(ContactPair {
@@ -53,6 +59,7 @@ impl Geometry {
         }
         Ok(Self {
             pairs: found,
+            faced: all_faced,
             couples,
             bend,
         })
@@ -84,12 +91,28 @@ impl Geometry {
         self.points().map(|(_, point)| point.normal).collect()
     }
 
-    /// Normal and tangential motion `[length]` of all points where the bodies are displaced by `moved`.
+    /// Normal and tangential motion `[length]` of all points where the bodies are displaced by `moved`, as forces do work on it.
     pub(crate) fn relative(&self, moved: &[DVector<f64>]) -> Vec<[f64; 2]> {
-        let motion = |(pair, point): (&ContactPair, &ContactPoint)| {
-            relative(point, &moved[pair.first], &moved[pair.second])
+        let seconds = self.points().map(|(_, point)| &point.second);
+        self.motions(moved, seconds)
+    }
+
+    /// The same of the places that the points face.
+    pub(crate) fn relative_to_faced(&self, moved: &[DVector<f64>]) -> Vec<[f64; 2]> {
+        self.motions(moved, self.faced.iter().flatten())
+    }
+
+    fn motions<'a>(
+        &'a self,
+        moved: &[DVector<f64>],
+        seconds: impl Iterator<Item = &'a Stencil>,
+    ) -> Vec<[f64; 2]> {
+        let motion = |((pair, point), second): ((&ContactPair, &ContactPoint), &Stencil)| {
+            let own = motion(&point.first, point.normal, &moved[pair.first]);
+            let other = motion(second, point.normal, &moved[pair.second]);
+            [own[0] - other[0], own[1] - other[1]]
         };
-        let mut all: Vec<[f64; 2]> = self.points().map(motion).collect();
+        let mut all: Vec<[f64; 2]> = self.points().zip(seconds).map(motion).collect();
         for couple in &self.couples {
             let turn = couple.turn_of(moved[couple.body].as_slice());
             for (point, row) in &couple.rows {
@@ -105,13 +128,6 @@ impl Geometry {
     pub(crate) fn error(&self) -> f64 {
         self.bend
     }
-}
-
-/// Normal and tangential motion of the first body against the second at `point`.
-fn relative(point: &ContactPoint, first: &DVector<f64>, second: &DVector<f64>) -> [f64; 2] {
-    let own = motion(&point.first, point.normal, first);
-    let other = motion(&point.second, point.normal, second);
-    [own[0] - other[0], own[1] - other[1]]
 }
 
 fn motion(stencil: &Stencil, normal: [f64; 2], moved: &DVector<f64>) -> [f64; 2] {
@@ -292,7 +308,7 @@ impl<'a> Edges<'a> {
         let to = self.place(k);
         let away = [to[0] - local.place[0], to[1] - local.place[1]];
         let found = ContactPoint {
-            second: stencil(curve, k, by),
+            second: stencil(curve, curve.skew(k), k, by),
             normal,
             gap: away[0] * normal[0] + away[1] * normal[1],
             ..point.clone()
@@ -301,10 +317,10 @@ impl<'a> Edges<'a> {
     }
 }
 
-/// Weights of the nodes in the displacement `by` beyond the node at `position`.
-fn stencil(curve: &Curve, position: usize, by: f64) -> Stencil {
+/// Weights of the nodes in the displacement `by` beyond the node at `position`, with the derivative `slopes` there.
+fn stencil(curve: &Curve, slopes: &[(usize, f64)], position: usize, by: f64) -> Stencil {
     let mut weights = vec![(position, 1.0)];
-    for &(node, slope) in curve.slope(position).iter().filter(|_| by != 0.0) {
+    for &(node, slope) in slopes.iter().filter(|_| by != 0.0) {
         if node == position {
             weights[0].1 += by * slope;
         } else {

@@ -243,7 +243,7 @@ impl<'a> Passes<'a> {
         let (pairs, couples) = (geometry.pairs().to_vec(), geometry.couples().to_vec());
         (self.problem).move_points(self.gaps.bodies(), pairs, couples, &self.in_play);
         let of_bodies = geometry.relative(moved);
-        let before = geometry.relative(&self.committed);
+        let slipped = [moved, &self.committed].map(|moved| geometry.relative_to_faced(moved));
         let seen = (self.problem).relative_motion(&state.forces, &state.rigid, &state.multipliers);
         let mut gaps = geometry.gaps();
         for (k, gap) in gaps.iter_mut().enumerate() {
@@ -253,7 +253,7 @@ impl<'a> Passes<'a> {
                 [seen[2 * k], seen[2 * k + 1]]
             };
             *gap -= normal;
-            self.start.motion[2 * k + 1] = tangential - (of_bodies[k][1] - before[k][1]);
+            self.start.motion[2 * k + 1] = tangential - (slipped[0][k][1] - slipped[1][k][1]);
         }
         self.problem.set_gaps(&gaps);
     }

@@ -117,9 +117,12 @@ impl Contacts {
         };
         let (points, chosen) = tied.tie(&above, &below)?;
         if plan.finds_gaps_deformed() {
+            let is_of_elements =
+                |&own: &usize| !plan.is_rigid(own) && plan.bodies[own].series.is_none();
             let series = bodies
                 .iter()
-                .filter_map(|&own| plan.bodies[own].series.as_deref());
+                .find_map(|&own| plan.bodies[own].series.as_deref());
+            let series = series.filter(|_| bodies.iter().any(is_of_elements));
             let facing = tied.facing(self.pairs.len(), [&above, &below], &points, series)?;
             self.facings.push(facing);
         }

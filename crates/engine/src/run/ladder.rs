@@ -125,19 +125,19 @@ impl Climb<'_> {
         let worst = worst(&small.numbers, &errors, self.bounds());
         let matters = worst.is_some_and(|worst| worst.part > GEOMETRY_SHARE);
         let reason = Geometry::reason(worst.map(Worst::named), matters);
-        Ok(if matters {
+        let (base, errors) = if matters {
             self.models.kinematics = KinematicsChoice::DeformedGaps;
-            let errors = Table::new();
-            (deformed, Geometry { errors, reason })
+            (deformed, Table::new())
         } else {
-            self.models.grade(&small, 1);
-            let base = if self.models.is_graded() {
-                self.models.level(1, substeps, progress)?
-            } else {
-                small
-            };
-            (base, Geometry { errors, reason })
-        })
+            (small, errors)
+        };
+        self.models.grade(&base, 1);
+        let base = if self.models.is_graded() {
+            self.models.level(1, substeps, progress)?
+        } else {
+            base
+        };
+        Ok((base, Geometry { errors, reason }))
     }
 
     /// A model whose increments are fine enough, with the error that they leave; `base` is the first one.

@@ -13,15 +13,15 @@ use stickslip_scene::schema::GapKind;
 const EQUAL: f64 = 1e-9;
 
 impl Tied<'_> {
-    /// The edges `first` and `second` of the contact with the number `index`, tied at `points`; `series` are those of its bodies that are one.
-    pub(super) fn facing<'s>(
+    /// The edges `first` and `second` of the contact with the number `index`, tied at `points`; `beside_elements` is the body by series that touches one of elements.
+    pub(super) fn facing(
         &self,
         index: usize,
         [first, second]: [&Side<'_>; 2],
         points: &[ContactPoint],
-        mut series: impl Iterator<Item = &'s SeriesBody>,
+        beside_elements: Option<&SeriesBody>,
     ) -> Result<Facing, ModelError> {
-        series.try_for_each(check_spacing)?;
+        beside_elements.map_or(Ok(()), check_spacing)?;
         if self.contact.gap != GapKind::Exact {
             let what = format!(
                 "analysis.kinematics = \"deformed-gaps\" measures gaps of the true shapes, and contact '{}' has another `gap`; leave it out, or \
@@ -42,6 +42,13 @@ impl Tied<'_> {
         let edge = first.edge;
         let round = matches!(edge.kind, EdgeKind::Circle { .. });
         let nodes = second.edge.nodes.len();
+        let place = |k: usize| match (edge.kind, &self.means) {
+            (EdgeKind::Circle { centre, radius }, Some(means)) => {
+                let (sin, cos) = means[k].sin_cos();
+                [centre[0] + radius * cos, centre[1] + radius * sin]
+            }
+            _ => first.position(k),
+        };
         let curve = Curve::new(
             self.geometry.second(edge.centre.unwrap_or_default()),
             (0..nodes).map(|k| second.local.start + k).collect(),
@@ -55,15 +62,20 @@ impl Tied<'_> {
                 }
             },
         );
+        // Displacements of series are means over hats.
+        let curve = match &self.means {
+            Some(means) => curve.and_then(|curve| curve.standing_at(means.clone())),
+            None => curve,
+        };
         Ok(Facing {
-            first: (0..points.len()).map(|k| first.position(k)).collect(),
+            first: (0..points.len()).map(place).collect(),
             centre: edge.centre,
             second: curve.map_err(|what| self.refuse(what))?,
         })
     }
 }
 
-/// Refuses a body by series whose nodes are not equally spaced.
+/// Refuses a body by series whose nodes are not equally spaced: means over its hats are not at nodes of elements.
 fn check_spacing(body: &SeriesBody) -> Result<(), ModelError> {
     let nodes = body.nodes();
     let means = nodes.mean_angles();
@@ -73,8 +85,8 @@ fn check_spacing(body: &SeriesBody) -> Result<(), ModelError> {
     }
     Err(ModelError::Unsupported {
         key: "analysis.kinematics".into(),
-        what: "\"deformed-gaps\" needs equally spaced nodes on bodies by series: slopes are differences of neighbours, and pressures do not converge \
-               where spacings differ. Space the nodes equally, or say kinematics = \"small\""
+        what: "\"deformed-gaps\" needs equally spaced nodes where a body by series touches one of elements: displacements of the one are means \
+               about its nodes, those of the other are at nodes. Space the nodes equally, or say kinematics = \"small\""
             .into(),
     })
 }

@@ -127,9 +127,9 @@ impl<'a> Models<'a> {
         }
     }
 
-    /// Whether nodes are graded. Deformed gaps are not: their slopes are differences of neighbours, which lose an order where spacings differ.
+    /// Whether nodes are graded.
     pub(super) fn is_graded(&self) -> bool {
-        self.division == Division::Series && self.kinematics != KinematicsChoice::DeformedGaps
+        self.division == Division::Series
     }
 
     /// Grades the nodes of `rung` towards the places where contact changes in `level`, a coarser model, if they are those of series.
