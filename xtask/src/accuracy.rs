@@ -111,7 +111,7 @@ fn compare(draw: &Draw, asked: f64) -> Result<Compared, String> {
     let Some(last) = ladder.rungs.last() else {
         return Err("no rung".into());
     };
-    let increments = (FINER * last.increments).min(FINEST);
+    let increments = (FINER * last.most_increments()).min(FINEST);
     let increments = format!("analysis.substeps={increments}");
     let mut finer = vec![
         &*increments,
@@ -127,7 +127,7 @@ fn compare(draw: &Draw, asked: f64) -> Result<Compared, String> {
         is_reached: ladder.end == LadderEnd::Reached,
         is_met: true,
         nodes: found.edges[0].parameter.len(),
-        increments: last.increments,
+        increments: last.most_increments(),
     };
     for (step, (found, truth)) in found.steps.iter().zip(&truth.steps).enumerate() {
         let unloading = found.unloading;

@@ -47,7 +47,8 @@ pub enum Ramp {
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadHistory {
     steps: Vec<Vec<f64>>,
-    substeps: usize,
+    /// Sub-steps of each step.
+    substeps: Vec<usize>,
     ramp: Ramp,
 }
 
@@ -63,9 +64,32 @@ impl LoadHistory {
     /// # Errors
     /// [`ContactError::InvalidLoad`] if steps differ in length, a multiplier is not finite, or `substeps` is zero.
     pub fn new(steps: Vec<Vec<f64>>, substeps: usize, ramp: Ramp) -> Result<Self, ContactError> {
-        if substeps == 0 {
+        let substeps = vec![substeps; steps.len()];
+        Self::divided(steps, substeps, ramp)
+    }
+
+    /// The same with `substeps[k]` sub-steps in step `k`.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`ContactError::InvalidLoad`] if steps and numbers of sub-steps differ in number.
+    pub fn divided(
+        steps: Vec<Vec<f64>>,
+        substeps: Vec<usize>,
+        ramp: Ramp,
+    ) -> Result<Self, ContactError> {
+        if substeps.len() != steps.len() {
             return Err(ContactError::InvalidLoad {
-                step: 0,
+                step: steps.len().min(substeps.len()),
+                what: format!(
+                    "{} numbers of sub-steps for {} steps",
+                    substeps.len(),
+                    steps.len()
+                ),
+            });
+        }
+        if let Some(step) = substeps.iter().position(|&count| count == 0) {
+            return Err(ContactError::InvalidLoad {
+                step,
                 what: "0 sub-steps; at least 1 is needed".into(),
             });
         }
@@ -92,6 +116,16 @@ impl LoadHistory {
         })
     }
 
+    /// Sub-steps of each step.
+    pub fn substeps(&self) -> &[usize] {
+        &self.substeps
+    }
+
+    /// How the load grows within the first step.
+    pub fn ramp(&self) -> Ramp {
+        self.ramp
+    }
+
     /// Multipliers at the end of each step.
     pub fn steps(&self) -> &[Vec<f64>] {
         &self.steps
@@ -100,9 +134,11 @@ impl LoadHistory {
     /// The history of the first `count` steps, all of them where there are fewer.
     #[must_use]
     pub fn first(&self, count: usize) -> Self {
+        let count = count.min(self.steps.len());
         Self {
-            steps: self.steps[..count.min(self.steps.len())].to_vec(),
-            ..*self
+            steps: self.steps[..count].to_vec(),
+            substeps: self.substeps[..count].to_vec(),
+            ramp: self.ramp,
         }
     }
 
@@ -226,7 +262,7 @@ impl LoadHistory {
             return Err(ContactError::InvalidLoad { step: index, what });
         }
         let walker = Walker {
-            whole: 1.0 / self.substeps as f64,
+            whole: 1.0 / self.substeps[index] as f64,
             smallest_part: SMALLEST_PART,
             effort: Some(CUTBACK_EFFORT),
         };
@@ -239,7 +275,7 @@ impl LoadHistory {
             target,
             record: start.at_its_end(),
         };
-        for substep in 0..self.substeps {
+        for substep in 0..self.substeps[index] {
             let ends = [substep, substep + 1].map(|k| k as f64 * walker.whole);
             if let Err(blocked) = walker.walk(ends, &mut path) {
                 return Err(failed(index, blocked));

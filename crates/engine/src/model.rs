@@ -368,6 +368,16 @@ impl Model {
         Ok(model)
     }
 
+    /// Divides load step k into `substeps[k]` increments.
+    ///
+    /// # Errors
+    /// [`ModelError`] where their number is not that of the steps, or one is zero.
+    pub(crate) fn divide_history(&mut self, substeps: &[usize]) -> Result<(), ModelError> {
+        let (steps, ramp) = (self.history.steps().to_vec(), self.history.ramp());
+        self.history = LoadHistory::divided(steps, substeps.to_vec(), ramp)?;
+        Ok(())
+    }
+
     /// Whether the failure of the body with the index `body` is asked about.
     pub fn is_asked_for_failure(&self, body: usize) -> bool {
         let failure = self.request.failure.as_ref();

@@ -3,6 +3,8 @@
 use rand::RngExt as _;
 use rand::rngs::StdRng;
 
+const ISOTROPIC: &str = "isotropic]\nyoung = \"70 GPa\"\npoisson = 0.33";
+
 /// A scene without a mesh.
 pub(super) struct Draw {
     pub(super) text: String,
@@ -33,7 +35,11 @@ impl Draw {
         let young = 70.0 * 10.0_f64.powf(rng.random_range(-0.3..0.7));
         let poisson = rng.random_range(0.1..0.45);
         let law = law(rng);
-        let chooses_kinematics = rng.random_bool(0.2);
+        let mut plate = plate(rng);
+        if plane == "strain" {
+            plate = ISOTROPIC.into();
+        }
+        let chooses_kinematics = rng.random_bool(0.3);
         let kinematics = if chooses_kinematics { "auto" } else { "small" };
         let steps = steps(rng);
         let loads = if rng.random_bool(0.15) {
@@ -58,9 +64,7 @@ impl Draw {
 [analysis]
 plane = "{plane}"
 kinematics = "{kinematics}"
-[materials.plate.isotropic]
-young = "70 GPa"
-poisson = 0.33
+[materials.plate.{plate}
 [materials.pin.isotropic]
 young = "{young} GPa"
 poisson = {poisson}
@@ -88,6 +92,20 @@ figures = false
 "#
             ),
         }
+    }
+}
+
+/// The plate's material: isotropic, orthotropic along the pull, or aside of it.
+fn plate(rng: &mut StdRng) -> String {
+    let ratios: [f64; 2] = [rng.random_range(0.3..1.5), rng.random_range(0.15..0.7)];
+    let [across, shear] = ratios.map(|ratio| 70.0 * ratio);
+    let along = format!(
+        "orthotropic]\ne1 = \"70 GPa\"\ne2 = \"{across} GPa\"\ng12 = \"{shear} GPa\"\nnu12 = 0.3"
+    );
+    match rng.random_range(0..10) {
+        0..6 => ISOTROPIC.into(),
+        6..9 => along,
+        _ => format!("{along}\nangle = \"{} deg\"", rng.random_range(5..85)),
     }
 }
 

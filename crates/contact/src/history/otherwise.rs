@@ -229,7 +229,7 @@ impl Again<'_> {
     /// By pivoting, or by Newton where pivoting found the step, unless that would take more than `effort`, which is reduced by what it
     /// takes.
     fn by_another(&self, effort: &mut f64) -> Result<Difference, Missing> {
-        let parts = self.history.substeps;
+        let parts = self.history.substeps[self.index];
         let (newton, pivoting) = (SemismoothNewton::default(), Pivoting::default());
         if self.record.solvers.contains(&pivoting.name()) {
             let found = self.by(&newton, newton.name(), parts);

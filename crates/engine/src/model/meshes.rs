@@ -22,7 +22,7 @@ pub const NODE_LIMIT: usize = 4_000_000;
 /// plane mesh holds about 8 n log₂ n numbers.
 pub const BYTES_PER_NODE: f64 = 2.0 * 8.0 * 8.0 * 24.0;
 
-/// Most radial layers of a body by series, whose mesh only shows fields.
+/// Most radial layers of a body by series, whose mesh only shows fields, where cells can be so much deeper than wide.
 const SHOWN_LAYERS: usize = 24;
 
 /// Each elastic body's mesh by the index of the body; none of them has more nodes, nor all together, than `limits` allow.
@@ -46,14 +46,18 @@ pub(super) fn build(
             Vec::new()
         };
         let partner = partners.get(&index).map(|&partner| &plan.bodies[partner]);
-        let meshing = meshing(body, partner, &angles, half);
-        let meshing = meshing.map_err(|cause| refuse(limits, body.name, cause))?;
-        if let (None, Some(count)) = (body.mesh.layers, meshing.layers) {
+        let made = |most_layers| {
+            let meshing = meshing(body, partner, &angles, half, most_layers)?;
+            let mesh = meshing.generator.generate_within(most_nodes(limits))?;
+            Ok((meshing.layers, mesh))
+        };
+        let shown = (body.series.as_ref()).and_then(|_| made(SHOWN_LAYERS).ok());
+        let made = shown.map_or_else(|| made(usize::MAX), Ok);
+        let (own, mesh) = made.map_err(|cause| refuse(limits, body.name, cause))?;
+        if let (None, Some(count)) = (body.mesh.layers, own) {
             layers.push(format!("{count} in '{}'", body.name));
             counts.push(angles.len());
         }
-        let mesh = meshing.generator.generate_within(most_nodes(limits));
-        let mesh = mesh.map_err(|cause| refuse(limits, body.name, cause.into()))?;
         meshes.insert(index, Arc::new(mesh));
     }
     choices.extend(layers_chosen(&layers, counts));
@@ -67,6 +71,7 @@ fn meshing(
     partner: Option<&BodyPlan<'_>>,
     angles: &[f64],
     half: bool,
+    most_layers: usize,
 ) -> Result<Meshing, DivisionError> {
     let grading = match body.mesh.division {
         Division::Linear(grading) => Some(grading),
@@ -78,11 +83,7 @@ fn meshing(
         spacing: grading.map(|grading| grading.spacing),
         fine_to: grading.and_then(|grading| grading.fine_to),
         layers: body.mesh.layers,
-        most_layers: if body.series.is_some() {
-            SHOWN_LAYERS
-        } else {
-            usize::MAX
-        },
+        most_layers,
         extent: if half { Extent::Half } else { Extent::Whole },
         centre: body.centre,
         partner: partner.map(|partner| &**partner.shape),

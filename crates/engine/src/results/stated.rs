@@ -199,11 +199,18 @@ pub struct Rung {
     /// How it is divided: "series, 61 nodes".
     pub model: String,
     /// Increments of each load step.
-    pub increments: usize,
+    pub increments: Vec<usize>,
     /// The relative error of what is asked for that is largest beside its bound, and what has it; `None` of the first rung, which has no coarser one to compare with.
     pub error: Option<(f64, Stated)>,
     /// Wall time `[s]`.
     pub seconds: f64,
+}
+
+impl Rung {
+    /// Largest number of increments of a load step.
+    pub fn most_increments(&self) -> usize {
+        self.increments.iter().copied().max().unwrap_or(1)
+    }
 }
 
 /// How an accuracy was sought.

@@ -59,7 +59,7 @@ pub(super) fn climb(
     };
     let (base, model) = climb.kinematics(progress)?;
     let (base, path) = climb.increments(base, progress)?;
-    let coarse = climb.models.level(base.rung - 1, base.substeps, progress);
+    let coarse = (climb.models).level(base.rung - 1, &base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
         let errors = sum(&sum(&climb.divided(&levels), &path), &model.errors);
@@ -68,7 +68,7 @@ pub(super) fn climb(
             (None, Some(last)) => {
                 let rung = last.rung + 1;
                 climb.models.grade(last, rung);
-                climb.models.level(rung, last.substeps, progress).ok()
+                climb.models.level(rung, &last.substeps, progress).ok()
             }
             _ => None,
         };
@@ -100,7 +100,7 @@ impl Climb<'_> {
         &mut self,
         progress: &mut dyn FnMut(Progress),
     ) -> Result<(Level, Geometry), RunError> {
-        let substeps = self.scene.analysis.substeps;
+        let substeps = &vec![self.scene.analysis.substeps; self.scene.steps()];
         let is_auto = self.models.kinematics == KinematicsChoice::Auto;
         if is_auto {
             self.models.kinematics = KinematicsChoice::Small;
@@ -152,28 +152,36 @@ impl Climb<'_> {
         let pinned = self.scene.is_given("analysis.substeps");
         if !pinned {
             // One and two increments agree wherever contact grows in proportion to the load.
-            base = self.models.level(1, 2 * base.substeps, progress)?;
+            base = self.models.level(1, &times(2, &base.substeps), progress)?;
             self.record(&base, None);
         }
         let mut changes = path::Changes::default();
         if pinned {
-            let finer = self
-                .models
-                .level(1, path::PINNED * base.substeps, progress)?;
+            let finer = times(path::PINNED, &base.substeps);
+            let finer = self.models.level(1, &finer, progress)?;
             let left = path::of_pinned(
                 &difference(&finer.numbers, &base.numbers),
                 &base.numbers.steps,
             );
             return Ok((base, left));
         }
+        let mut halved = vec![true; base.substeps.len()];
         loop {
-            let finer = self.models.level(1, 2 * base.substeps, progress)?;
+            let both = base.substeps.iter().zip(&halved);
+            let substeps: Vec<usize> = both
+                .map(|(count, half)| count << usize::from(*half))
+                .collect();
+            let finer = self.models.level(1, &substeps, progress)?;
             let change = difference(&finer.numbers, &base.numbers);
-            let left = changes.halved(change, &finer.numbers.steps);
-            let worst = worst(&finer.numbers, &left, self.bounds()).map_or(0.0, |worst| worst.part);
+            let left = changes.halved(change, &finer.numbers.steps, &halved);
             self.record(&finer, None);
-            let is_fine = self.asked.is_none() || worst <= PATH_SHARE;
-            if is_fine || finer.substeps >= INCREMENTS || self.is_spent(&finer) {
+            for (step, half) in halved.iter_mut().enumerate() {
+                let worst = worst_of_step(&finer.numbers, &left, self.bounds(), step);
+                let is_large = worst.is_some_and(|worst| worst.part > PATH_SHARE);
+                *half = is_large && substeps[step] < INCREMENTS;
+            }
+            let is_fine = self.asked.is_none() || !halved.contains(&true);
+            if is_fine || self.is_spent(&finer) {
                 return Ok((finer, left));
             }
             base = finer;
@@ -188,7 +196,7 @@ impl Climb<'_> {
     fn record(&mut self, level: &Level, error: Option<(f64, Stated)>) {
         self.rungs.push(Rung {
             model: level.describe(),
-            increments: level.substeps,
+            increments: level.substeps.clone(),
             error,
             seconds: level.seconds,
         });
@@ -200,7 +208,7 @@ impl Climb<'_> {
         let worst = worst(&last.numbers, errors, self.bounds());
         let error = worst.map(Worst::named);
         let is_known =
-            |rung: &Rung| (&rung.model, rung.increments) == (&last.describe(), last.substeps);
+            |rung: &Rung| (&rung.model, &rung.increments) == (&last.describe(), &last.substeps);
         match self.rungs.iter_mut().rev().find(|rung| is_known(rung)) {
             Some(rung) => rung.error = error,
             None => self.record(last, error),
@@ -272,46 +280,51 @@ impl Worst {
     }
 }
 
-/// The relative error that is largest beside its bound of `accuracy`; of contacts, or where there are none of all edges. Stresses are measured by the larger
-/// of themselves and of the peak pressure, beside which σ_t may vanish.
+/// `count` times the increments of each step.
+fn times(count: usize, substeps: &[usize]) -> Vec<usize> {
+    substeps.iter().map(|own| count * own).collect()
+}
+
+/// The relative error that is largest beside its bound of `accuracy`; of contacts, or where there are none of all edges.
 fn worst(level: &Numbers, errors: &Table, accuracy: Accuracy) -> Option<Worst> {
-    let mut found: Option<Worst> = None;
+    let steps = 0..level.steps.len();
+    let all = steps.filter_map(|step| worst_of_step(level, errors, accuracy, step));
+    all.max_by(|one, other| one.part.total_cmp(&other.part))
+}
+
+/// The same of the load step `step`. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, friction and stick by
+/// the largest of their history.
+fn worst_of_step(
+    level: &Numbers,
+    errors: &Table,
+    accuracy: Accuracy,
+    step: usize,
+) -> Option<Worst> {
     let touches = level.geometries.iter().any(|geometry| geometry.contact);
-    for (edge, geometry) in level.geometries.iter().enumerate() {
-        if touches && !geometry.contact {
-            continue;
-        }
-        let pressures = level.steps.iter();
-        let pressures = pressures.map(|step| Stated::PeakPressure.value(&step[edge]));
-        let pressures: Vec<f64> = pressures.map(|peak| peak.unwrap_or(0.0)).collect();
-        for stated in Stated::ALL {
-            let Some(bound) = stated.bound(accuracy) else {
-                continue;
-            };
-            let values = level.steps.iter().map(|step| stated.value(&step[edge]));
-            let size = |value: Option<f64>| value.map_or(0.0, f64::abs);
-            let largest = values.clone().map(size).fold(0.0, f64::max);
-            for ((value, errors), pressure) in values.zip(errors).zip(&pressures) {
-                let scale = match stated {
-                    Stated::FrictionForce | Stated::StickExtent => largest,
-                    Stated::PeakHoop | Stated::HoopAtBearing => {
-                        size(value).max(SMALL * largest).max(*pressure)
-                    }
-                    _ => size(value).max(SMALL * largest),
-                };
-                let error = errors.get(edge).and_then(|own| own.get(stated));
-                if let Some(error) = error.filter(|_| scale > 0.0).map(|error| error / scale)
-                    && found.is_none_or(|most| error / bound > most.part)
-                {
-                    let part = error / bound;
-                    found = Some(Worst {
-                        error,
-                        stated,
-                        part,
-                    });
-                }
+    let edges = level.geometries.iter().enumerate();
+    let edges = edges.filter(|(_, geometry)| geometry.contact || !touches);
+    let numbers = edges.flat_map(|(edge, _)| Stated::ALL.map(|stated| (edge, stated)));
+    let part = |(edge, stated): (usize, Stated)| {
+        let bound = stated.bound(accuracy)?;
+        let error = errors.get(step)?.get(edge)?.get(stated)?;
+        let size = |results: &EdgeResults| stated.value(results).map_or(0.0, f64::abs);
+        let history = level.steps.iter().map(|step| size(&step[edge]));
+        let largest = history.fold(0.0, f64::max);
+        let own = &level.steps[step][edge];
+        let scale = match stated {
+            Stated::FrictionForce | Stated::StickExtent => largest,
+            Stated::PeakHoop | Stated::HoopAtBearing => {
+                let pressure = Stated::PeakPressure.value(own).unwrap_or(0.0);
+                size(own).max(SMALL * largest).max(pressure)
             }
-        }
-    }
-    found
+            _ => size(own).max(SMALL * largest),
+        };
+        (scale > 0.0).then(|| Worst {
+            error: error / scale,
+            stated,
+            part: error / scale / bound,
+        })
+    };
+    let parts = numbers.filter_map(part);
+    parts.max_by(|one, other| one.part.total_cmp(&other.part))
 }

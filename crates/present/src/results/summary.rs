@@ -76,7 +76,8 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
 fn sought(ladder: &Ladder) -> Sought {
     let tried = |rung: &Rung| Tried {
         model: rung.model.clone(),
-        increments: rung.increments,
+        increments: rung.most_increments(),
+        increments_of_steps: rung.increments.clone(),
         error: rung.error.and_then(|(error, _)| tidy(error)),
         of: rung.error.map(|(_, stated)| stated.describe()),
         wall_time_s: microseconds(rung.seconds),

@@ -256,7 +256,7 @@ pub(super) fn ladder(results: &Results) -> Option<Table> {
         });
         [
             rung.model.clone(),
-            rung.increments.to_string(),
+            from_to(&rung.increments),
             error,
             of.to_owned(),
             decimals(Some(1e3 * rung.seconds), 1),
@@ -265,6 +265,14 @@ pub(super) fn ladder(results: &Results) -> Option<Table> {
     let headings = "model | increments | largest error | of | time [ms]";
     let caption = format!("Models tried: {asked}");
     Some(Table::headed(caption, headings).with_rows(ladder.rungs.iter().map(row)))
+}
+
+/// Least and largest of `counts`, once where they are equal.
+fn from_to(counts: &[usize]) -> String {
+    match (counts.iter().min(), counts.iter().max()) {
+        (Some(least), Some(most)) if least != most => format!("{least}–{most}"),
+        (_, most) => most.map_or_else(String::new, usize::to_string),
+    }
 }
 
 /// A relative error as "0.1 %".

@@ -47,7 +47,7 @@ fn graded_nodes_hold_what_equal_ones_find() {
     );
     let increments = format!(
         "analysis.substeps={}",
-        4 * ladder.rungs.last().unwrap().increments
+        4 * ladder.rungs.last().unwrap().most_increments()
     );
     let equal = by(&[
         SMALL,

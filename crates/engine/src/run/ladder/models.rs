@@ -37,7 +37,8 @@ pub(super) enum Division {
 /// A model that was solved.
 pub(super) struct Level {
     pub(super) rung: usize,
-    pub(super) substeps: usize,
+    /// Increments of each load step.
+    pub(super) substeps: Vec<usize>,
     pub(super) model: Model,
     pub(super) solved: Solved,
     pub(super) numbers: Numbers,
@@ -146,14 +147,15 @@ impl<'a> Models<'a> {
     pub(super) fn level(
         &mut self,
         rung: usize,
-        substeps: usize,
+        substeps: &[usize],
         progress: &mut dyn FnMut(Progress),
     ) -> Result<Level, RunError> {
         let host = self.scene.host();
         let start = host.seconds();
-        let (scene, division) = self.scene_of(rung, substeps);
+        let (scene, division) = self.scene_of(rung);
         let made = self.made(&scene, rung, progress)?;
-        let (model, making) = (made.model.with_laws_and_history(&scene)?, made.seconds);
+        let (mut model, making) = (made.model.with_laws_and_history(&scene)?, made.seconds);
+        model.divide_history(substeps)?;
         let (operators, interface) = (made.operators.clone(), made.interface.clone());
         let ready = host.seconds();
         let mut solved = follow(&model, operators, interface, self.solver, progress)?;
@@ -166,7 +168,7 @@ impl<'a> Models<'a> {
         let end = host.seconds();
         Ok(Level {
             rung,
-            substeps,
+            substeps: substeps.to_vec(),
             seconds: end - start,
             seconds_anew: end - ready + making,
             numbers: Numbers {
@@ -222,9 +224,8 @@ impl<'a> Models<'a> {
     }
 
     /// The scene of a rung, and how it is divided.
-    fn scene_of(&self, rung: usize, substeps: usize) -> (Scene, String) {
+    fn scene_of(&self, rung: usize) -> (Scene, String) {
         let mut scene = self.scene.clone();
-        scene.analysis.substeps = substeps;
         scene.analysis.kinematics = Some(self.kinematics);
         if !scene.is_given("analysis.ramp") && !scene.is_given("analysis.substeps") {
             scene.analysis.ramp = Ramp::Quadratic;

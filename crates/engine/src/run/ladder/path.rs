@@ -6,9 +6,9 @@
 //! error = max(c r/(1 − r), c′/2, c″/4, …),     r = c/c′ between ½ and ⅘,     c = |v_Δ − v_2Δ|,  c′ = |v_2Δ − v_4Δ|, …
 //! ```
 //!
-//! A change may vanish by chance, so those before count as if every halving took half of them.
+//! A change may vanish by chance, so those before count as if every halving took half of them. Only steps whose error is too large are divided further.
 
-use super::numbers::{Table, zipped};
+use super::numbers::{Table, sum, zipped};
 use crate::results::{EdgeResults, Errors, Stated};
 
 /// The error that increments leave is at most so many times the change that halving them last made.
@@ -22,15 +22,33 @@ pub(super) struct Changes {
     last: Table,
     /// What the changes before leave of the error.
     left: Table,
+    /// The errors of steps when they were last halved.
+    settled: Table,
 }
 
 impl Changes {
-    /// The errors that increments leave after a halving that changed the numbers of `steps` by `change`.
-    pub(super) fn halved(&mut self, change: Table, steps: &[Vec<EdgeResults>]) -> Table {
+    /// The errors that increments leave after those of the steps `halved` were, which changed the numbers of `steps` by `change`. A step that was not
+    /// keeps its own error, beside that of the steps before it.
+    pub(super) fn halved(
+        &mut self,
+        change: Table,
+        steps: &[Vec<EdgeResults>],
+        halved: &[bool],
+    ) -> Table {
         let geometric = zipped(&change, &self.last, error);
-        let mut errors = zipped(&geometric, &self.left, |error, left| {
+        let own = zipped(&geometric, &self.left, |error, left| {
             Some(error?.max(left.unwrap_or(0.0)))
         });
+        let mut errors = sum(&geometric, &self.settled);
+        self.settled.resize(own.len(), Vec::new());
+        for (step, own) in own
+            .into_iter()
+            .enumerate()
+            .filter(|(step, _)| halved[*step])
+        {
+            errors[step].clone_from(&own);
+            self.settled[step] = own;
+        }
         self.left = zipped(&change, &self.left, |change, left| {
             Some(0.5 * change?.max(left.unwrap_or(0.0)))
         });

@@ -67,6 +67,7 @@ pub(super) enum Asked {
 pub(super) struct Tried {
     pub(super) model: String,
     pub(super) increments: usize,
+    pub(super) increments_of_steps: Vec<usize>,
     /// Largest relative error, and what has it.
     pub(super) error: Option<f64>,
     pub(super) of: Option<&'static str>,
