@@ -41,9 +41,9 @@ pub(crate) struct Options {
     /// Seed of the random cases.
     #[arg(long, default_value_t = 18)]
     seed: u64,
-    /// Prints every number outside of its error.
+    /// Prints every number outside of its error, and writes its scene, or one that was not solved, to this folder.
     #[arg(long)]
-    misses: bool,
+    misses: Option<PathBuf>,
     /// Where the table is written.
     #[arg(long)]
     output: Option<PathBuf>,
@@ -55,7 +55,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Box<dyn Error + Send + Syn
         .cases
         .unwrap_or(if options.quick { 50 } else { 500 });
     let mut rng = StdRng::seed_from_u64(options.seed);
-    let mut tally = Tally::new(options.misses);
+    let mut tally = Tally::default();
     let draws: Vec<Draw> = (0..count).map(|_| Draw::new(&mut rng)).collect();
     let asked = |case: usize| {
         if options.quick {
@@ -67,9 +67,15 @@ pub(crate) fn main(options: &Options) -> Result<bool, Box<dyn Error + Send + Syn
     let compared = draws.par_iter().enumerate();
     let compared: Vec<_> = compared.map(|(k, draw)| compare(draw, asked(k))).collect();
     for (case, (compared, draw)) in compared.into_iter().zip(&draws).enumerate() {
-        match compared {
-            Ok(compared) => tally.add(&compared, draw, asked(case)),
+        let misses = match compared {
+            Ok(compared) => tally.add(&compared, asked(case)),
             Err(why) => tally.failed(case, &why),
+        };
+        if let (Some(folder), false) = (&options.misses, misses.is_empty()) {
+            let path = folder.join(format!("case-{case}.toml"));
+            fs::create_dir_all(folder)?;
+            fs::write(&path, &draw.text).map_err(|error| format!("{}: {error}", path.display()))?;
+            println!("{}, {} asked:\n{misses}", path.display(), asked(case));
         }
     }
     let text = tally.text(count, options.seed);

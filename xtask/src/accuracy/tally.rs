@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 
 use stickslip::results::Stated;
 
-use super::draw::Draw;
 use super::{Compared, Number};
 
 /// The truth is good to this part of the error that is tested, or the number is undecided.
@@ -16,7 +15,6 @@ const ROUNDING: f64 = 1e-9;
 /// The numbers of all cases.
 #[derive(Default)]
 pub(super) struct Tally {
-    pub(super) shows_misses: bool,
     rows: BTreeMap<(usize, bool), Row>,
     asked: BTreeMap<u64, [usize; 3]>,
     failures: Vec<String>,
@@ -36,22 +34,16 @@ struct Row {
 }
 
 impl Tally {
-    pub(super) fn new(shows_misses: bool) -> Self {
-        Self {
-            shows_misses,
-            ..Self::default()
-        }
-    }
-
-    /// Counts the numbers of a draw that was solved to the accuracy `asked`.
-    pub(super) fn add(&mut self, compared: &Compared, draw: &Draw, asked: f64) {
-        for number in &compared.numbers {
-            self.count(number, compared, draw);
-        }
+    /// Counts the numbers of a draw that was solved to the accuracy `asked`, and says which lie outside of their error.
+    pub(super) fn add(&mut self, compared: &Compared, asked: f64) -> String {
+        let counts = compared.numbers.iter();
+        let misses = counts.filter_map(|number| self.count(number, compared));
+        let misses: String = misses.collect();
         let counts = self.asked.entry(asked.to_bits()).or_default();
         counts[0] += 1;
         counts[1] += usize::from(compared.is_reached);
         counts[2] += usize::from(compared.is_met);
+        misses
     }
 
     fn row(&mut self, stated: Stated, unloading: bool) -> &mut Row {
@@ -59,32 +51,26 @@ impl Tally {
         self.rows.entry((at.unwrap_or(0), unloading)).or_default()
     }
 
-    fn count(&mut self, number: &Number, compared: &Compared, draw: &Draw) {
+    /// Counts a number; says so if it is decided and lies outside of its error.
+    fn count(&mut self, number: &Number, compared: &Compared) -> Option<String> {
         let &Number {
             stated,
             unloading,
             values: [value, exact],
             ..
         } = number;
-        let shows_misses = self.shows_misses;
         let row = self.row(stated, unloading);
         let Some([own, doubt]) = number.errors else {
             row.without += 1;
-            return;
+            return None;
         };
         let apart = (value - exact).abs();
-        if shows_misses && apart > own && doubt < apart {
-            println!(
-                "{stated:?}: {value:e} ± {own:.2e}, {exact:e} ± {doubt:.2e}, {} nodes, {} increments, step {}\n{}",
-                compared.nodes, compared.increments, number.step, draw.text
-            );
-        }
         if apart <= ROUNDING && own <= ROUNDING {
-            return;
+            return None;
         }
         if doubt > DECIDED * own.max(apart) {
             row.undecided += 1;
-            return;
+            return None;
         }
         if apart <= own {
             row.held += 1;
@@ -93,10 +79,17 @@ impl Tally {
             row.worst = row.worst.max(apart / own.max(f64::MIN_POSITIVE));
         }
         row.ratios.push(own / apart.max(f64::MIN_POSITIVE));
+        (apart > own).then(|| {
+            format!(
+                "  {stated:?}: {value:.6e} ± {own:.2e}, {exact:.6e} ± {doubt:.2e}, {} nodes, {} increments, step {}\n",
+                compared.nodes, compared.increments, number.step
+            )
+        })
     }
 
-    pub(super) fn failed(&mut self, case: usize, why: &str) {
+    pub(super) fn failed(&mut self, case: usize, why: &str) -> String {
         self.failures.push(format!("case {case}: {why}"));
+        format!("  not solved: {why}\n")
     }
 
     /// Whether the stated errors hold in at least the share `least` of all numbers that are decided.

@@ -125,11 +125,6 @@ impl Curve {
         }
     }
 
-    /// The undeformed place of the node at `position`.
-    pub(super) fn node(&self, position: usize) -> Point {
-        self.undeformed(self.parameter[position])[0]
-    }
-
     /// Whether the node at `position` stands on a line of symmetry.
     pub(super) fn is_mirrored(&self, position: usize) -> bool {
         let last = self.nodes.len() - 1;

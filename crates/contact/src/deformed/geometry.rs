@@ -203,13 +203,15 @@ impl<'a> Edges<'a> {
         let mut turns = [None, None];
         // Of a cylinder on a plane the turn about its centre rolls it.
         if let (Some(first), Some(second)) = (facing.centre, curve.centre()) {
-            let places = facing.first.iter().copied();
-            let nodes = (0..curve.nodes().len()).map(|k| curve.node(k));
-            if is_free_to_turn(gaps.bodies[pair.first]) {
+            // Where the bodies turn about, which means over hats do within the circle.
+            let [upper, lower] = [pair.first, pair.second].map(|body| gaps.bodies[body]);
+            if is_free_to_turn(upper) {
+                let places = pair.points.iter().map(|point| upper.points()[node(point)]);
                 turns[0] = Some(Turn::new(places, first, pair));
             }
-            if is_free_to_turn(gaps.bodies[pair.second]) {
-                turns[1] = Some(Turn::new(nodes, second, pair));
+            if is_free_to_turn(lower) {
+                let places = curve.nodes().iter().map(|&node| lower.points()[node]);
+                turns[1] = Some(Turn::new(places, second, pair));
             }
         }
         for (turn, moved) in turns.iter().zip(&mut both) {

@@ -23,6 +23,8 @@ use self::numbers::{Numbers, Table, difference, sum};
 use super::{Progress, RunError, results};
 use crate::results::{EdgeResults, Ladder, LadderEnd, Results, Rung, Stated};
 
+/// Fewest increments of a load step with friction that are compared with twice as many.
+const FEWEST: usize = 4;
 /// Most increments of a load step that are tried.
 const INCREMENTS: usize = 64;
 /// Numbers below this part of the largest of their history are measured by it.
@@ -151,8 +153,10 @@ impl Climb<'_> {
         }
         let pinned = self.scene.is_given("analysis.substeps");
         if !pinned {
-            // One and two increments agree wherever contact grows in proportion to the load.
-            base = self.models.level(1, &times(2, &base.substeps), progress)?;
+            // One and two increments agree wherever contact grows in proportion to the load, and two and four where few nodes slip.
+            base = self
+                .models
+                .level(1, &times(FEWEST, &base.substeps), progress)?;
             self.record(&base, None);
         }
         let mut changes = path::Changes::default();

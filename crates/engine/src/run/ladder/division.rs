@@ -197,6 +197,7 @@ fn factor(stated: Stated, is_graded: bool) -> f64 {
             Stated::FrictionForce | Stated::NormalForce => 0.6,
             Stated::PeakHoopPlace => 0.7,
             Stated::ContactExtent => 0.85,
+            Stated::StickExtent | Stated::SlipAway | Stated::SlipTowards => 1.5,
             Stated::PeakHoop => 1.15,
             Stated::PeakPressure => 1.6,
             Stated::HoopAtBearing => 2.2,

@@ -18,9 +18,19 @@ const WIDE: f64 = 2.0;
 /// Steps of the integral per fine spacing.
 const POINTS: f64 = 4.0;
 
-/// Angles from 0 to π of a half model, or all around; `fine` and `coarse` are spacings `[rad]`, places are those of `level`.
-pub(super) fn angles(level: &Numbers, half: bool, [fine, coarse]: [f64; 2]) -> Vec<f64> {
-    let places = places(level, fine, coarse);
+/// Angles from 0 to π of a half model, or all around, there those of places and their images if `mirrored`; `fine` and `coarse` are spacings `[rad]`, places are
+/// those of `level`.
+pub(super) fn angles(
+    level: &Numbers,
+    half: bool,
+    mirrored: bool,
+    [fine, coarse]: [f64; 2],
+) -> Vec<f64> {
+    let mut places = places(level, fine, coarse);
+    if mirrored {
+        let images: Vec<Place> = places.iter().map(Place::mirrored).collect();
+        places.extend(images);
+    }
     let spacing = |angle: f64| {
         let own = places.iter();
         own.map(|place| place.spacing + GROWTH * place.distance(angle))
@@ -80,6 +90,13 @@ impl Place {
             middle: from + 0.5 * width,
             reach: 0.5 * width,
             spacing,
+        }
+    }
+
+    fn mirrored(&self) -> Self {
+        Self {
+            middle: -self.middle,
+            ..*self
         }
     }
 

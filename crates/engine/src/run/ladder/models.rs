@@ -20,6 +20,8 @@ use crate::run::{
 const INTERVALS: usize = 30;
 /// The finest nodes far from where contact changes are 2⁴ times closer than the coarsest.
 const GRADINGS: usize = 4;
+/// The same with deformed gaps. Where nodes are much closer than contact points travel along each other, the geometry does not settle.
+const DEFORMED_GRADINGS: usize = 3;
 /// The finest cells are 2⁴ times smaller than the coarsest.
 const HALVINGS: usize = 4;
 
@@ -122,6 +124,9 @@ impl<'a> Models<'a> {
     /// Whether no finer rung than `rung` is tried.
     pub(super) fn is_finest(&self, rung: usize) -> bool {
         match self.division {
+            Division::Series if self.kinematics == KinematicsChoice::DeformedGaps => {
+                rung >= DEFORMED_GRADINGS
+            }
             Division::Series => rung >= GRADINGS,
             Division::Elements => rung >= HALVINGS,
             Division::Pinned => true,
@@ -138,8 +143,13 @@ impl<'a> Models<'a> {
         if self.is_graded() {
             let coarse = PI / (INTERVALS << rung) as f64;
             let fine = coarse / (1_usize << rung) as f64;
-            let angles = grading::angles(&level.numbers, level.model.half, [fine, coarse]);
-            self.graded.insert(rung, angles);
+            let half = level.model.half;
+            let angles = |mirrored| grading::angles(&level.numbers, half, mirrored, [fine, coarse]);
+            self.graded.insert(rung, angles(false));
+            // The lattice in the middle of a disk's mesh bears many more cells on one side than on the other only so far.
+            if !half && Model::build(&self.scene_of(rung).0).is_err() {
+                self.graded.insert(rung, angles(true));
+            }
         }
     }
 
