@@ -75,6 +75,26 @@ proptest! {
         prop_assert_eq!(&before, state);
     }
 
+    /// Each step is divided for itself: in two and three increments as the histories that have two and three in all.
+    #[test]
+    fn steps_are_divided_each_for_itself(scene in Scene::any()) {
+        let problem = scene.problem();
+        let count = scene.steps.len();
+        let substeps: Vec<usize> = (0..count).map(|step| 2 + step % 2).collect();
+        let history = LoadHistory::divided(scene.steps.clone(), substeps.clone(), Ramp::Linear).unwrap();
+        let records = history.follow(&problem, &Chain::default(), |_| {}).unwrap();
+        prop_assert_eq!(&records[0].state, &scene.follow(2)[0].state);
+        for (record, substeps) in records.iter().zip(&substeps) {
+            prop_assert!(record.increments >= *substeps);
+        }
+        let refused = LoadHistory::divided(scene.steps.clone(), vec![1; count + 1], Ramp::Linear);
+        prop_assert!(refused.is_err());
+        let mut none = substeps;
+        none[count - 1] = 0;
+        let refused = LoadHistory::divided(scene.steps.clone(), none, Ramp::Linear);
+        prop_assert!(refused.unwrap_err().to_string().contains("0 sub-steps"));
+    }
+
     /// An increment that fails is as if it had never been tried.
     #[test]
     fn cut_back_reaches_the_target_by_accepted_increments_alone(scene in Scene::any()) {

@@ -47,12 +47,14 @@ pub(super) fn choose(
         }
         let division = division(plan, scene, index);
         let ready = known.and_then(|model| model.bodies[index].series.clone());
-        let made_of = match (&scene.failure, ready) {
-            (Some(_), _) => {
-                Err("is in a scene whose plies may fail, which is followed on elements".into())
+        let failure = scene.failure.as_ref();
+        let is_followed = failure.is_some_and(|failure| failure.progressive.is_some());
+        let made_of = match ready {
+            _ if is_followed => {
+                Err("is in a joint whose failure is followed, which elements do".into())
             }
-            (None, Some(ready)) => Ok(ready),
-            (None, None) => body(plan, index, &division, half).map(Arc::new),
+            Some(ready) => Ok(ready),
+            None => body(plan, index, &division, half).map(Arc::new),
         };
         match made_of {
             Ok(body) => made.push((index, division, body)),

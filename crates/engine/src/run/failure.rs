@@ -133,20 +133,16 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Mean stress at every node: recovered from patches, and on reported edges from the edge's own strain.
+    /// Mean stress at every node: of a series, or recovered from patches, and on reported edges from the edge's own strain.
     fn stresses(&self, recovered: &Recovered, edges: &[EdgeResults]) -> Result<Sites, StressError> {
         let loads = &self.model.request.loads;
         let heating = loads.heating(self.index, &recovered.multipliers);
-        let strain = self.material.thermal_strain(heating);
-        let initial = vec![strain; self.mesh.blocks().len()];
-        let materials = vec![self.material; self.mesh.blocks().len()];
-        let field = ElasticField::new(
-            self.mesh,
-            &materials,
-            &recovered.displacement[self.index],
-            Some(&initial),
-        )?;
-        let mut stress = field.patch_recovery().averaged();
+        let known = &recovered.stress[self.index];
+        let mut stress = if known.is_empty() {
+            self.patches(&recovered.displacement[self.index], heating)?
+        } else {
+            known.clone()
+        };
         for (edge, results) in self.model.edges.iter().zip(edges) {
             if edge.geometry.body != self.index {
                 continue;
@@ -162,6 +158,15 @@ impl<'a> Subject<'a> {
             }
         }
         Ok(Sites { stress, heating })
+    }
+
+    /// Stresses at every node, recovered from patches of elements whose nodes are displaced by `displacement`.
+    fn patches(&self, displacement: &[f64], heating: f64) -> Result<Vec<[f64; 3]>, StressError> {
+        let strain = self.material.thermal_strain(heating);
+        let initial = vec![strain; self.mesh.blocks().len()];
+        let materials = vec![self.material; self.mesh.blocks().len()];
+        let field = ElasticField::new(self.mesh, &materials, displacement, Some(&initial))?;
+        Ok(field.patch_recovery().averaged())
     }
 
     /// The places of a half model and, if the plies are not alike there, their mirror images; of a whole one the places.

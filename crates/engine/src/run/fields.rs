@@ -25,7 +25,9 @@ pub(super) struct Recovered {
     /// Displacements per body, interleaved, without the free rigid motions, which make no strain and beside which those that do
     /// may be rounding; empty for a rigid body, and where they are not kept.
     pub(super) displacement: Vec<Vec<f64>>,
-    /// The same at the nodes of each of the model's edges without contact; empty for others.
+    /// Stresses (xx, yy, xy) `[MPa]` at the nodes of each body by series that is asked for failure; empty for others.
+    pub(super) stress: Vec<Vec<[f64; 3]>>,
+    /// The displacements at the nodes of each of the model's edges without contact; empty for others.
     pub(super) free_edges: Vec<Vec<[f64; 2]>>,
     /// Tractions (σ_nn, τ_nt) of the reactions at the nodes of each of the model's edges that is held; empty for others.
     pub(super) reactions: Vec<Vec<[f64; 2]>>,
@@ -109,6 +111,7 @@ fn pass(
         .iter()
         .map(|record| Recovered {
             displacement: vec![Vec::new(); bodies],
+            stress: vec![Vec::new(); bodies],
             free_edges: vec![Vec::new(); model.edges.len()],
             reactions: vec![Vec::new(); model.edges.len()],
             motions: motions(solved, record),
@@ -155,7 +158,7 @@ fn pass(
     all
 }
 
-/// Recovers of a body by series what no field needs: its balance, displacements on edges without contact, and all where its failure is asked about.
+/// Recovers of a body by series what no field needs: its balance, and its stresses where its failure is asked about.
 fn recover_series(
     model: &Model,
     solved: &Solved,
@@ -170,7 +173,7 @@ fn recover_series(
         if model.is_asked_for_failure(index)
             && let Some(own) = model.bodies[index].elastic()
         {
-            step.displacement[index] = strained(body, record, &forces, own.mesh().nodes());
+            step.stress[index] = stresses(body, record, &forces, own.mesh().nodes());
         }
     }
 }

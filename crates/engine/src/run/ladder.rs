@@ -94,7 +94,7 @@ impl Climb<'_> {
     /// What the division of the last of `levels` leaves.
     fn divided(&self, levels: &[Level]) -> Table {
         let numbers: Vec<&Numbers> = levels.iter().map(|level| &level.numbers).collect();
-        division::errors(&numbers, self.models.is_graded())
+        division::errors(&numbers, self.models.spaced())
     }
 
     /// The first model, on the geometry that the accuracy needs.

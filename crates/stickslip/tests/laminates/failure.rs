@@ -210,6 +210,38 @@ fn a_half_model_stands_for_the_whole() {
     }
 }
 
+/// Loads of failure by series and by elements: at characteristic distances, and on the hole's edge, where cells miss some of the cusp.
+#[test]
+fn plies_of_series_fail_as_those_of_elements() {
+    let free = PIN.replace("[mesh]\nspacing = \"6 deg\"\n", "");
+    for layup in ["[0_2/60_2/-60_2]s", "[0_4/90_2]s", "[0/45/0/45/90_2]s"] {
+        let layup = format!("materials.laminate.laminate.layup={layup}");
+        let both = ["analysis.contact_nodes=241", "mesh.spacing=0.75 deg"].map(|division| {
+            let curve = "failure.characteristic={ tension = \"1 mm\", compression = \"2 mm\" }";
+            solved(&free, &[&layup, division, curve])
+        });
+        assert_eq!(both.each_ref().map(|found| found.factorisations), [0, 2]);
+        let [one, other] = both.each_ref().map(|results| &results.failure[0]);
+        for (one, other) in one.first_ply.iter().zip(&other.first_ply) {
+            let (one, other) = (one.as_ref().unwrap(), other.as_ref().unwrap());
+            close(one.factor, other.factor, 0.03);
+            assert_eq!((one.at.ply, one.at.mode), (other.at.ply, other.at.mode));
+        }
+        let [one, other] = [one, other].map(|found| found.characteristic.as_ref().unwrap());
+        for (one, other) in [
+            (&one.net_section, &other.net_section),
+            (&one.bearing_point, &other.bearing_point),
+        ] {
+            for (one, other) in one.iter().zip(other) {
+                let (one, other) = (one.as_ref().unwrap(), other.as_ref().unwrap());
+                close(one.factor, other.factor, 5e-3);
+                // On the axis plies at 60° and −60° fail together.
+                assert_eq!(one.at.mode, other.at.mode);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_cure_that_breaks_plies_is_reported() {
     let results = solved(COUPON, &["materials.laminate.laminate.cure=-600 K"]);

@@ -109,6 +109,49 @@ fn gaps_are_found_deformed_where_that_matters() {
     }
 }
 
+/// Without friction nothing holds a plate against turning about its pin. Graded nodes, whose forces act within the circle, must not turn it either.
+#[test]
+fn bodies_that_turn_freely_find_deformed_gaps_on_graded_nodes() {
+    let frictionless = "contacts.0.friction.coulomb.mu=0";
+    let [half, whole] = ["half", "whole"].map(|model| {
+        let model = format!("analysis.model={model}");
+        by(&[
+            frictionless,
+            DEFORMED,
+            &model,
+            r#"analysis.accuracy="0.5 %""#,
+        ])
+    });
+    let last = whole.ladder.as_ref().unwrap().rungs.last().unwrap();
+    assert!(
+        last.model.contains("graded nodes, deformed gaps"),
+        "{last:?}"
+    );
+    let numbers = [
+        Stated::PeakPressure,
+        Stated::ContactExtent,
+        Stated::NormalForce,
+        Stated::PeakHoop,
+    ];
+    let misses = misses(&half, &whole, &numbers);
+    assert!(misses.is_empty(), "{misses:#?}");
+}
+
+/// Steps whose path matters get more increments than others.
+#[test]
+fn load_steps_are_divided_each_for_itself() {
+    let small_first = r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["20 N", "4 kN", "1.5 kN"] } }"#;
+    let free = PIN.replace("[analysis]\nsubsteps = 1\n", "");
+    let found = solved(&free, &[SMALL, small_first, r#"analysis.accuracy="0.3 %""#]);
+    let rungs = &found.ladder.as_ref().unwrap().rungs;
+    let last = &rungs.last().unwrap().increments;
+    assert_eq!(last.len(), 3);
+    assert!(last.iter().min() < last.iter().max(), "{last:?}");
+    for (step, increments) in found.steps.iter().zip(last) {
+        assert!(step.increments >= *increments);
+    }
+}
+
 /// Where friction drops when slip begins, the stress at the end of stick is infinite: no error is stated, and why.
 #[test]
 fn a_stress_without_a_limit_has_no_error() {

@@ -19,8 +19,25 @@ const FITTED: f64 = 3.5;
 /// It is off by at least this part of what models estimate.
 const ENDS: f64 = 0.6;
 
+/// How nodes are spaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Spaced {
+    /// Equally.
+    Equally,
+    /// Graded towards where contact changes.
+    Graded,
+    /// The same, with deformed gaps.
+    GradedDeformed,
+}
+
+impl Spaced {
+    fn are_graded(self) -> bool {
+        self != Self::Equally
+    }
+}
+
 /// The errors of the last of `levels`; empty where there is one only.
-pub(super) fn errors(levels: &[&Numbers], is_graded: bool) -> Table {
+pub(super) fn errors(levels: &[&Numbers], nodes: Spaced) -> Table {
     let [.., coarse, fine] = levels else {
         return Table::new();
     };
@@ -33,7 +50,7 @@ pub(super) fn errors(levels: &[&Numbers], is_graded: bool) -> Table {
         fine,
         last,
         before,
-        is_graded,
+        nodes,
     };
     let edges = |step: usize| {
         let count = fine.spacings.len();
@@ -80,7 +97,7 @@ struct Changes<'a> {
     fine: &'a Numbers,
     last: Table,
     before: Table,
-    is_graded: bool,
+    nodes: Spaced,
 }
 
 impl Changes<'_> {
@@ -122,17 +139,17 @@ impl Changes<'_> {
             Some(self.size([other, edge], stated)? / self.scale([other, edge], stated)?)
         });
         let wide = parts.fold(0.0, f64::max) * self.scale(at, stated).unwrap_or(0.0);
-        let by_models = factor(stated, self.is_graded) * size.max(WIDE * wide);
+        let by_models = factor(stated, self.nodes) * size.max(WIDE * wide);
         let has_three = !self.before.is_empty();
         Some(match own {
-            Some(own) if self.is_graded && stated == Stated::ContactExtent => {
+            Some(own) if self.nodes.are_graded() && stated == Stated::ContactExtent => {
                 (FITTED * own).max(ENDS * by_models)
             }
-            Some(_) if self.is_graded && has_three => by_models,
+            Some(_) if self.nodes.are_graded() && has_three => by_models,
             // A fit cannot resolve zones of a few nodes, where three models show how far it is off.
             Some(own) if has_three => own.max(LEAST * by_models).min(by_models.max(LEAST * own)),
             Some(own) => own.max(by_models),
-            None if stated.is_of_nodes() && !self.is_graded => {
+            None if stated.is_of_nodes() && !self.nodes.are_graded() => {
                 by_models.max(0.5 * self.fine.spacings[edge])
             }
             None => by_models,
@@ -141,7 +158,7 @@ impl Changes<'_> {
 
     fn size(&self, at: At, stated: Stated) -> Option<f64> {
         let [last, before] = self.changes(at, stated);
-        let rate = if self.is_graded { 0.25 } else { 0.5 };
+        let rate = if self.nodes.are_graded() { 0.25 } else { 0.5 };
         Some(last?.max(rate * before.unwrap_or(0.0)))
     }
 
@@ -191,9 +208,10 @@ impl Changes<'_> {
 }
 
 /// k of the module's equation.
-fn factor(stated: Stated, is_graded: bool) -> f64 {
-    if is_graded {
+fn factor(stated: Stated, nodes: Spaced) -> f64 {
+    if nodes.are_graded() {
         return match stated {
+            Stated::PeakPressure if nodes == Spaced::GradedDeformed => 2.4,
             Stated::FrictionForce | Stated::NormalForce => 0.6,
             Stated::PeakHoopPlace => 0.7,
             Stated::ContactExtent => 0.85,

@@ -7,6 +7,7 @@ use stickslip_contact::{Interface, InterfaceSolver};
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
 
+use super::division::Spaced;
 use super::grading;
 use super::limits::Missing;
 use super::numbers::Numbers;
@@ -136,6 +137,15 @@ impl<'a> Models<'a> {
     /// Whether nodes are graded.
     pub(super) fn is_graded(&self) -> bool {
         self.division == Division::Series
+    }
+
+    /// How nodes are spaced.
+    pub(super) fn spaced(&self) -> Spaced {
+        match (self.is_graded(), self.kinematics) {
+            (false, _) => Spaced::Equally,
+            (true, KinematicsChoice::DeformedGaps) => Spaced::GradedDeformed,
+            (true, _) => Spaced::Graded,
+        }
     }
 
     /// Grades the nodes of `rung` towards the places where contact changes in `level`, a coarser model, if they are those of series.
