@@ -211,13 +211,13 @@ impl Changes<'_> {
 fn factor(stated: Stated, nodes: Spaced) -> f64 {
     if nodes.are_graded() {
         return match stated {
-            Stated::PeakPressure if nodes == Spaced::GradedDeformed => 2.4,
-            Stated::FrictionForce | Stated::NormalForce => 0.6,
+            Stated::PeakPressure if nodes == Spaced::GradedDeformed => 3.0,
+            Stated::NormalForce => 0.6,
             Stated::PeakHoopPlace => 0.7,
-            Stated::ContactExtent => 0.85,
+            Stated::ContactExtent => 1.1,
             Stated::StickExtent | Stated::SlipAway | Stated::SlipTowards => 1.5,
-            Stated::PeakHoop => 1.15,
-            Stated::PeakPressure => 1.6,
+            Stated::PeakHoop => 1.5,
+            Stated::PeakPressure => 2.0,
             Stated::HoopAtBearing => 2.2,
             _ => 1.0,
         };
