@@ -25,7 +25,7 @@ pub(super) struct Recovered {
     /// Displacements per body, interleaved, without the free rigid motions, which make no strain and beside which those that do
     /// may be rounding; empty for a rigid body, and where they are not kept.
     pub(super) displacement: Vec<Vec<f64>>,
-    /// Stresses (xx, yy, xy) `[MPa]` at the nodes of each body by series that is asked for failure; empty for others.
+    /// Stresses (xx, yy, xy) `[MPa]` at the nodes of each body by series whose failure criteria are evaluated; empty for others.
     pub(super) stress: Vec<Vec<[f64; 3]>>,
     /// The displacements at the nodes of each of the model's edges without contact; empty for others.
     pub(super) free_edges: Vec<Vec<[f64; 2]>>,

@@ -42,7 +42,9 @@ impl Tied<'_> {
         let edge = first.edge;
         let round = matches!(edge.kind, EdgeKind::Circle { .. });
         let nodes = second.edge.nodes.len();
-        let place = |k: usize| match (edge.kind, &self.means) {
+        // Displacements of series are means over hats, which are about other places than nodes where neighbours are unequally far.
+        let means = (self.means.as_ref()).filter(|means| !are_equal(means, &second.edge.parameter));
+        let place = |k: usize| match (edge.kind, means) {
             (EdgeKind::Circle { centre, radius }, Some(means)) => {
                 let (sin, cos) = means[k].sin_cos();
                 [centre[0] + radius * cos, centre[1] + radius * sin]
@@ -62,8 +64,7 @@ impl Tied<'_> {
                 }
             },
         );
-        // Displacements of series are means over hats.
-        let curve = match &self.means {
+        let curve = match means {
             Some(means) => curve.and_then(|curve| curve.standing_at(means.clone())),
             None => curve,
         };
@@ -78,9 +79,7 @@ impl Tied<'_> {
 /// Refuses a body by series whose nodes are not equally spaced: means over its hats are not at nodes of elements.
 fn check_spacing(body: &SeriesBody) -> Result<(), ModelError> {
     let nodes = body.nodes();
-    let means = nodes.mean_angles();
-    let mut apart = means.iter().zip(nodes.angles());
-    if apart.all(|(mean, at)| (mean - at).abs() <= EQUAL) {
+    if are_equal(&nodes.mean_angles(), nodes.angles()) {
         return Ok(());
     }
     Err(ModelError::Unsupported {
@@ -89,6 +88,11 @@ fn check_spacing(body: &SeriesBody) -> Result<(), ModelError> {
                about its nodes, those of the other are at nodes. Space the nodes equally, or say kinematics = \"small\""
             .into(),
     })
+}
+
+fn are_equal(means: &[f64], angles: &[f64]) -> bool {
+    let mut both = means.iter().zip(angles);
+    both.all(|(mean, at)| (mean - at).abs() <= EQUAL)
 }
 
 fn refused(index: usize, key: &str, what: String) -> ModelError {
