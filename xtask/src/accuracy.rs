@@ -3,6 +3,7 @@
 //! Random pins in holes are solved to an accuracy, and once more on the finest nodes with eight times as many increments, where the program chose the geometry
 //! on the deformed one. A number counts where the finer answer is itself good to a third of the error that is tested.
 
+mod along;
 mod draw;
 mod tally;
 
@@ -27,6 +28,8 @@ const ASKED: [f64; 3] = [0.05, 0.01, 0.001];
 const FINEST: usize = 128;
 /// How many times as many increments the truth has.
 const FINER: usize = 8;
+/// Numbers that follow from equilibrium to rounding.
+const BALANCED: [Stated; 3] = [Stated::Bearing, Stated::ResultantX, Stated::ResultantY];
 /// Least share of numbers within their stated error.
 const COVERAGE: f64 = 0.95;
 
@@ -96,9 +99,9 @@ struct Compared {
     increments: usize,
 }
 
-/// A stated number.
+/// A number that is stated with an error.
 struct Number {
-    stated: Stated,
+    name: &'static str,
     step: usize,
     unloading: bool,
     /// The number and what it should be.
@@ -135,10 +138,20 @@ fn compare(draw: &Draw, asked: f64) -> Result<Compared, String> {
         nodes: found.edges[0].parameter.len(),
         increments: last.most_increments(),
     };
+    let (geometry, exact_geometry) = (&found.edges[0], &truth.edges[0]);
     for (step, (found, truth)) in found.steps.iter().zip(&truth.steps).enumerate() {
         let unloading = found.unloading;
         let (edge, truth) = (&found.edges[0], &truth.edges[0]);
-        for stated in Stated::ALL {
+        let along = along::numbers(
+            (geometry, edge),
+            (exact_geometry, truth),
+            (step + 1, unloading),
+        );
+        compared.numbers.extend(along);
+        for stated in Stated::ALL
+            .into_iter()
+            .filter(|stated| !BALANCED.contains(stated))
+        {
             let (Some(value), Some(exact)) = (stated.value(edge), stated.value(truth)) else {
                 continue;
             };
@@ -152,7 +165,7 @@ fn compare(draw: &Draw, asked: f64) -> Result<Compared, String> {
                 || errors
                     .is_none_or(|[_, doubt]| (value - exact).abs() <= asked * exact.abs() + doubt);
             compared.numbers.push(Number {
-                stated,
+                name: stated.describe(),
                 step: step + 1,
                 unloading,
                 values: [value, exact],

@@ -3,12 +3,13 @@
 mod failure;
 mod finding;
 mod frame;
+mod nodes;
 mod progressive;
 mod resolution;
 mod stated;
 mod zones;
 
-pub use stated::{Errors, Ladder, LadderEnd, Rung, Stated};
+pub use stated::{Errors, Ladder, LadderEnd, RowErrors, Rung, Stated};
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -22,6 +23,8 @@ pub use finding::{
     ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
     JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound,
 };
+
+pub(crate) use nodes::{Nodes, Values, joined, values};
 
 pub use frame::wrapped;
 pub use frame::{BearingSource, ContactFrame};
@@ -222,6 +225,8 @@ pub struct EdgeResults {
     pub friction_work: f64,
     /// Estimated errors of these numbers, where the scene asks for an accuracy or leaves the mesh to the program.
     pub errors: Errors,
+    /// Those of the tractions and stresses of its rows; empty where none were estimated.
+    pub row_errors: Vec<RowErrors>,
 }
 
 impl EdgeGeometry {

@@ -74,6 +74,9 @@ pub struct Series {
     /// Spread of each point along x, low and high end in the unit of the axis, drawn as a bar through the point; points
     /// beyond the end of this list have none.
     pub spread: Vec<[f64; 2]>,
+    /// Margin of each point along y, low and high end in the unit of the axis, drawn as a band in a tint of the colour below all curves; points beyond
+    /// the end of this list have none.
+    pub margin: Vec<[f64; 2]>,
     /// Lines, markers or both.
     pub style: SeriesStyle,
     /// Colour; the category of the series' position in the chart if not given.
@@ -91,6 +94,7 @@ impl Series {
             label: label.into(),
             points,
             spread: Vec::new(),
+            margin: Vec::new(),
             style: SeriesStyle::Line,
             color: None,
             dash: Dash::Solid,
@@ -102,6 +106,13 @@ impl Series {
     #[must_use]
     pub fn spread(mut self, spread: Vec<[f64; 2]>) -> Self {
         self.spread = spread;
+        self
+    }
+
+    /// Sets the margins of the points along y, low and high end of each.
+    #[must_use]
+    pub fn margin(mut self, margin: Vec<[f64; 2]>) -> Self {
+        self.margin = margin;
         self
     }
 
@@ -321,6 +332,11 @@ impl LineChart {
         let frame = &layout.frame;
         layout.heading.draw(&mut canvas, [OUTER, OUTER]);
         layout.annotations.draw_bands(&mut canvas, frame);
+        canvas.clipped(&frame.area, |canvas| {
+            for (index, series) in self.series.iter().enumerate() {
+                curves::draw_margin(canvas, frame, series, self.color_of(index));
+            }
+        });
         frame.draw_grid(&mut canvas);
         layout.annotations.draw_lines(&mut canvas, frame);
         canvas.clipped(&frame.area, |canvas| {

@@ -3,8 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use stickslip::results::Stated;
-
 use super::{Compared, Number};
 
 /// The truth is good to this part of the error that is tested, or the number is undecided.
@@ -15,7 +13,7 @@ const ROUNDING: f64 = 1e-9;
 /// The numbers of all cases.
 #[derive(Default)]
 pub(super) struct Tally {
-    rows: BTreeMap<(usize, bool), Row>,
+    rows: BTreeMap<(&'static str, bool), Row>,
     asked: BTreeMap<u64, [usize; 3]>,
     failures: Vec<String>,
 }
@@ -46,20 +44,15 @@ impl Tally {
         misses
     }
 
-    fn row(&mut self, stated: Stated, unloading: bool) -> &mut Row {
-        let at = Stated::ALL.iter().position(|other| *other == stated);
-        self.rows.entry((at.unwrap_or(0), unloading)).or_default()
-    }
-
     /// Counts a number; says so if it is decided and lies outside of its error.
     fn count(&mut self, number: &Number, compared: &Compared) -> Option<String> {
         let &Number {
-            stated,
+            name,
             unloading,
             values: [value, exact],
             ..
         } = number;
-        let row = self.row(stated, unloading);
+        let row = self.rows.entry((name, unloading)).or_default();
         let Some([own, doubt]) = number.errors else {
             row.without += 1;
             return None;
@@ -81,7 +74,7 @@ impl Tally {
         row.ratios.push(own / apart.max(f64::MIN_POSITIVE));
         (apart > own).then(|| {
             format!(
-                "  {stated:?}: {value:.6e} ± {own:.2e}, {exact:.6e} ± {doubt:.2e}, {} nodes, {} increments, step {}\n",
+                "  {name}: {value:.6e} ± {own:.2e}, {exact:.6e} ± {doubt:.2e}, {} nodes, {} increments, step {}\n",
                 compared.nodes, compared.increments, number.step
             )
         })
@@ -104,15 +97,14 @@ impl Tally {
     pub(super) fn text(&self, cases: usize, seed: u64) -> String {
         let mut text = format!("{cases} random pins, seed {seed}.\n\n");
         text += "| number | steps | within | of | median stated/true | worst miss, true/stated | undecided | no error |\n|---|---|---:|---:|---:|---:|---:|---:|\n";
-        for ((at, unloading), row) in &self.rows {
+        for ((name, unloading), row) in &self.rows {
             let decided = row.held + row.missed;
             let share = 100.0 * row.held as f64 / decided.max(1) as f64;
             let steps = if *unloading { "unloading" } else { "loading" };
             // Writing into a string does not fail.
             let _ = writeln!(
                 text,
-                "| {} | {steps} | {share:.1} % | {decided} | {} | {:.1} | {} | {} |",
-                Stated::ALL[*at].describe(),
+                "| {name} | {steps} | {share:.1} % | {decided} | {} | {:.1} | {} | {} |",
                 ratio(median(&row.ratios)),
                 row.worst,
                 row.undecided,

@@ -175,6 +175,17 @@ impl Errors {
     }
 }
 
+/// Estimated errors of the values of a node of an edge `[MPa]`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RowErrors {
+    /// Of the pressure, and of σ_r or σ_yy.
+    pub pressure: f64,
+    /// Of the tangential traction, and of τ.
+    pub shear: f64,
+    /// Of σ_θ or σ_xx.
+    pub sigma_tangential: f64,
+}
+
 impl EdgeResults {
     /// Estimated error of the magnitude of the resultant `[N]`, that of its components together.
     pub fn resultant_error(&self) -> Option<f64> {

@@ -406,5 +406,6 @@ fn summarise(
         hoop_at_bearing_point: None,
         friction_force: 0.0,
         errors: Errors::default(),
+        row_errors: Vec::new(),
     }
 }

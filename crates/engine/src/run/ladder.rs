@@ -5,6 +5,7 @@
 //!
 //! docs/accuracy.md shows how often the truth lies within.
 
+mod along;
 mod division;
 mod geometry;
 mod grading;
@@ -17,6 +18,7 @@ use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Accuracy, Budget, KinematicsChoice};
 
+use self::along::Along;
 use self::geometry::Geometry;
 use self::models::{Division, Level, Models};
 use self::numbers::{Numbers, Table, difference, sum};
@@ -64,7 +66,7 @@ pub(super) fn climb(
     let coarse = (climb.models).level(base.rung - 1, &base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
-        let errors = sum(&sum(&climb.divided(&levels), &path), &model.errors);
+        let errors = sum(&sum(&climb.divided(&levels), &path.numbers), &model.errors);
         let end = climb.end(&levels, &errors);
         let next = match (end, levels.last()) {
             (None, Some(last)) => {
@@ -76,10 +78,19 @@ pub(super) fn climb(
         };
         let Some(level) = next else {
             let end = end.unwrap_or(LadderEnd::Finest);
-            return climb.finish(levels, errors, &model, end);
+            let along = Along::of_division(&numbers(&levels));
+            let along = along.and(&path.along).and(&model.along);
+            return climb.finish(levels, errors, along, &model, end);
         };
         levels.push(level);
     }
+}
+
+/// What the load path leaves.
+#[derive(Default)]
+struct Left {
+    numbers: Table,
+    along: Along,
 }
 
 struct Climb<'a> {
@@ -93,8 +104,7 @@ struct Climb<'a> {
 impl Climb<'_> {
     /// What the division of the last of `levels` leaves.
     fn divided(&self, levels: &[Level]) -> Table {
-        let numbers: Vec<&Numbers> = levels.iter().map(|level| &level.numbers).collect();
-        division::errors(&numbers, self.models.spaced())
+        division::errors(&numbers(levels), self.models.spaced())
     }
 
     /// The first model, on the geometry that the accuracy needs.
@@ -127,11 +137,12 @@ impl Climb<'_> {
         let worst = worst(&small.numbers, &errors, self.bounds());
         let matters = worst.is_some_and(|worst| worst.part > GEOMETRY_SHARE);
         let reason = Geometry::reason(worst.map(Worst::named), matters);
-        let (base, errors) = if matters {
+        let along = Along::between(&small.numbers, &deformed.numbers).times(geometry::FACTOR);
+        let (base, errors, along) = if matters {
             self.models.kinematics = KinematicsChoice::DeformedGaps;
-            (deformed, Table::new())
+            (deformed, Table::new(), Along::default())
         } else {
-            (small, errors)
+            (small, errors, along)
         };
         self.models.grade(&base, 1);
         let base = if self.models.is_graded() {
@@ -139,7 +150,12 @@ impl Climb<'_> {
         } else {
             base
         };
-        Ok((base, Geometry { errors, reason }))
+        let geometry = Geometry {
+            errors,
+            along,
+            reason,
+        };
+        Ok((base, geometry))
     }
 
     /// A model whose increments are fine enough, with the error that they leave; `base` is the first one.
@@ -147,9 +163,9 @@ impl Climb<'_> {
         &mut self,
         mut base: Level,
         progress: &mut dyn FnMut(Progress),
-    ) -> Result<(Level, Table), RunError> {
+    ) -> Result<(Level, Left), RunError> {
         if !base.rubs() {
-            return Ok((base, Table::new()));
+            return Ok((base, Left::default()));
         }
         let pinned = self.scene.is_given("analysis.substeps");
         if !pinned {
@@ -163,12 +179,14 @@ impl Climb<'_> {
         if pinned {
             let finer = times(path::PINNED, &base.substeps);
             let finer = self.models.level(1, &finer, progress)?;
-            let left = path::of_pinned(
-                &difference(&finer.numbers, &base.numbers),
-                &base.numbers.steps,
-            );
+            let change = difference(&finer.numbers, &base.numbers);
+            let left = Left {
+                numbers: path::of_pinned(&change, &base.numbers.steps),
+                along: Along::between(&base.numbers, &finer.numbers).times(path::of_four()),
+            };
             return Ok((base, left));
         }
+        let mut along = Along::default();
         let mut halved = vec![true; base.substeps.len()];
         loop {
             let both = base.substeps.iter().zip(&halved);
@@ -177,16 +195,17 @@ impl Climb<'_> {
                 .collect();
             let finer = self.models.level(1, &substeps, progress)?;
             let change = difference(&finer.numbers, &base.numbers);
-            let left = changes.halved(change, &finer.numbers.steps, &halved);
+            let numbers = changes.halved(change, &finer.numbers.steps, &halved);
+            along = along.halved(&finer.numbers, &base.numbers, &halved);
             self.record(&finer, None);
             for (step, half) in halved.iter_mut().enumerate() {
-                let worst = worst_of_step(&finer.numbers, &left, self.bounds(), step);
+                let worst = worst_of_step(&finer.numbers, &numbers, self.bounds(), step);
                 let is_large = worst.is_some_and(|worst| worst.part > PATH_SHARE);
                 *half = is_large && substeps[step] < INCREMENTS;
             }
             let is_fine = self.asked.is_none() || !halved.contains(&true);
             if is_fine || self.is_spent(&finer) {
-                return Ok((finer, left));
+                return Ok((finer, Left { numbers, along }));
             }
             base = finer;
         }
@@ -245,6 +264,7 @@ impl Climb<'_> {
         self,
         mut levels: Vec<Level>,
         errors: Table,
+        along: Along,
         geometry: &Geometry,
         end: LadderEnd,
     ) -> Result<Results, RunError> {
@@ -259,6 +279,11 @@ impl Climb<'_> {
                 *edge = EdgeResults { errors, ..fitted };
             }
         }
+        for (step, along) in found.steps.iter_mut().zip(along.into_steps()) {
+            for (edge, along) in step.edges.iter_mut().zip(along) {
+                edge.row_errors = along;
+            }
+        }
         geometry.explain(&mut found);
         found.ladder = Some(Ladder {
             asked: self.asked,
@@ -267,6 +292,10 @@ impl Climb<'_> {
         });
         Ok(found)
     }
+}
+
+fn numbers(levels: &[Level]) -> Vec<&Numbers> {
+    levels.iter().map(|level| &level.numbers).collect()
 }
 
 /// A relative error beside its bound.

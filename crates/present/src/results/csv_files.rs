@@ -9,7 +9,7 @@ use super::quantities::csv_columns;
 use super::{FileNote, OutputError, failure};
 use crate::PutFile;
 use crate::csv::{self, number};
-use stickslip_engine::results::{EdgeRow, Results, Stated, StepResults};
+use stickslip_engine::results::{EdgeRow, Results, RowErrors, Stated, StepResults};
 
 /// Hands all CSV files to `put`, one after the other, because those of a long history are many; what they hold.
 pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {
@@ -41,45 +41,68 @@ pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote
     Ok(notes)
 }
 
-/// A node of an edge: its place and its row.
-type Node<'a> = (f64, &'a EdgeRow);
+/// A node of an edge: its place, its row and the errors of that.
+type Node<'a> = (f64, &'a EdgeRow, Option<&'a RowErrors>);
 
 fn edge_table(edge: &EdgeView<'_>, step: usize) -> Vec<u8> {
+    let own = edge.step(step);
     let places = edge.geometry.parameter.iter().copied();
-    let nodes = places.zip(&edge.step(step).rows);
-    csv::columns(&edge_columns(*edge), nodes)
+    let rows = places.zip(&own.rows).enumerate();
+    let nodes = rows.map(|(k, (place, row))| (place, row, own.row_errors.get(k)));
+    csv::columns(&edge_columns(*edge, !own.row_errors.is_empty()), nodes)
 }
 
-fn edge_columns(edge: EdgeView<'_>) -> Columns<'_, Node<'_>> {
+fn edge_columns(edge: EdgeView<'_>, states_errors: bool) -> Columns<'_, Node<'_>> {
     let units = edge.units();
-    let stress = |value: fn(&EdgeRow) -> f64| {
-        move |(_, row): Node<'_>| number(units.stress.from_base(value(row)))
+    let (in_stress, in_length) = (units.stress.name, units.length.name);
+    let stress = |name: &str, value: fn(&EdgeRow) -> f64| {
+        Columns::new().with(name, in_stress, move |(_, row, _): Node<'_>| {
+            number(units.stress.from_base(value(row)))
+        })
+    };
+    let with_error = |name: &str, value, error: fn(&RowErrors) -> f64| {
+        let column = stress(name, value);
+        if !states_errors {
+            return column;
+        }
+        let name = format!("{name}_error");
+        column.with(name, in_stress, move |(_, _, errors): Node<'_>| {
+            errors.map_or(String::new(), |errors| {
+                number(units.stress.from_base(error(errors)))
+            })
+        })
     };
     let length = |value: fn(&EdgeRow) -> f64| {
-        move |(_, row): Node<'_>| number(units.length.from_base(value(row)))
+        move |(_, row, _): Node<'_>| number(units.length.from_base(value(row)))
     };
-    let (in_stress, in_length) = (units.stress.name, units.length.name);
     let (place, names) = if edge.is_circle() {
         ("theta", ["sigma_r", "sigma_theta", "tau_rtheta"])
     } else {
         ("x", ["sigma_yy", "sigma_xx", "tau_xy"])
     };
     // From +x, as the mesh and the field files have it.
-    let mut columns = Columns::new().with(place, edge.place_unit(), move |(at, _): Node<'_>| {
+    let mut columns = Columns::new().with(place, edge.place_unit(), move |(at, ..): Node<'_>| {
         number(edge.length(at))
     });
     if edge.geometry.contact {
         columns = columns
-            .with("CPRESS", in_stress, stress(|row| row.pressure))
-            .with("CSHEAR1", in_stress, stress(|row| row.shear))
+            .and([
+                with_error("CPRESS", |row| row.pressure, |errors| errors.pressure),
+                with_error("CSHEAR1", |row| row.shear, |errors| errors.shear),
+            ])
             .with("COPEN", in_length, length(|row| row.gap))
             .with("CSLIP1", in_length, length(|row| row.slip))
-            .with("CSTATUS", "", |(_, row)| status(row.status).into());
+            .with("CSTATUS", "", |(_, row, _)| status(row.status).into());
     }
-    columns
-        .with(names[0], in_stress, stress(|row| row.sigma_normal))
-        .with(names[1], in_stress, stress(|row| row.sigma_tangential))
-        .with(names[2], in_stress, stress(|row| row.tau))
+    columns.and([
+        stress(names[0], |row| row.sigma_normal),
+        with_error(
+            names[1],
+            |row| row.sigma_tangential,
+            |errors| errors.sigma_tangential,
+        ),
+        stress(names[2], |row| row.tau),
+    ])
 }
 
 fn status(status: Status) -> &'static str {

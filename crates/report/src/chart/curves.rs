@@ -11,6 +11,10 @@ use crate::svg::Canvas;
 const INVISIBLE: f64 = 0.15;
 /// Lines are cut this far outside the frame, so that far points stay finite \[px\].
 const OVERSCAN: f64 = 50.0;
+/// Strength of the colour of a margin.
+const MARGIN_TINT: f64 = 0.3;
+/// Margins that are nowhere higher than this are not drawn \[px\].
+const VISIBLE: f64 = 1.5;
 const MARKER_RADIUS: f64 = 3.4;
 /// Half height of the ticks that end a bar \[px\].
 const BAR_END: f64 = 3.0;
@@ -79,6 +83,33 @@ pub(crate) fn draw_spread(canvas: &mut Canvas, frame: &Frame, series: &Series, c
         }
     }
     canvas.stroked_path(&data, &Stroke::solid(color, 1.0));
+}
+
+/// Draws the band between the ends of the points' margins, if it is wide enough to be seen.
+pub(crate) fn draw_margin(canvas: &mut Canvas, frame: &Frame, series: &Series, color: Color) {
+    let cut = frame.area.grown(OVERSCAN);
+    let ends = |(&[x, _], ends): (&[f64; 2], &[f64; 2])| {
+        let [low, high] = ends.map(|y| frame.pixel([x, y]));
+        Some([low?, high?].map(|[x, y]| [x, y.clamp(cut.top, cut.bottom())]))
+    };
+    let points: Vec<Option<[[f64; 2]; 2]>> =
+        series.points.iter().zip(&series.margin).map(ends).collect();
+    let mut data = String::new();
+    for run in points.split(Option::is_none) {
+        let run: Vec<[[f64; 2]; 2]> = run.iter().copied().flatten().collect();
+        let height = run.iter().map(|[low, high]| (low[1] - high[1]).abs());
+        if height.fold(0.0, f64::max) < VISIBLE {
+            continue;
+        }
+        let there = run.iter().map(|ends| ends[1]);
+        let back = run.iter().rev().map(|ends| ends[0]);
+        for (k, point) in there.chain(back).enumerate() {
+            push_point(&mut data, if k == 0 { 'M' } else { 'L' }, point);
+        }
+        data.push('z');
+    }
+    let color = color.tint(MARGIN_TINT);
+    canvas.filled_path(&data, color, &Stroke::solid(color, 0.0));
 }
 
 /// Appends path data for the part of `run` inside `cut`.

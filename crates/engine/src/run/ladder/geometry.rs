@@ -1,5 +1,6 @@
 //! What a ladder finds out about the geometry on which contact is found.
 
+use super::along::Along;
 use super::numbers::{Table, zipped};
 use crate::results::{Results, Stated};
 
@@ -16,6 +17,8 @@ pub(super) fn errors(difference: &Table) -> Table {
 pub(super) struct Geometry {
     /// What the deformed geometry would change, where contact is found on the undeformed one.
     pub(super) errors: Table,
+    /// The same at the nodes of edges.
+    pub(super) along: Along,
     /// Why it was chosen, as the reason of a choice; empty where the scene chose.
     pub(super) reason: String,
 }
@@ -24,8 +27,8 @@ impl Geometry {
     /// The undeformed geometry, because of `why` nothing is known of the deformed one.
     pub(super) fn unknown(why: &str) -> Self {
         Self {
-            errors: Table::new(),
             reason: format!("no error states what deformed gaps would change: {why}"),
+            ..Self::default()
         }
     }
 

@@ -151,8 +151,7 @@ impl<'a> Models<'a> {
     /// Grades the nodes of `rung` towards the places where contact changes in `level`, a coarser model, if they are those of series.
     pub(super) fn grade(&mut self, level: &Level, rung: usize) {
         if self.is_graded() {
-            let coarse = PI / (INTERVALS << rung) as f64;
-            let fine = coarse / (1_usize << rung) as f64;
+            let [fine, coarse] = grading::spacings(PI / INTERVALS as f64, rung);
             let half = level.model.half;
             let angles = |mirrored| grading::angles(&level.numbers, half, mirrored, [fine, coarse]);
             self.graded.insert(rung, angles(false));

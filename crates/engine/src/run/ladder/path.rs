@@ -60,11 +60,15 @@ impl Changes {
 
 /// The errors that given increments leave, by what [`PINNED`] times as many change.
 pub(super) fn of_pinned(change: &Table, steps: &[Vec<EdgeResults>]) -> Table {
-    let rate = SLOWEST / (1.0 + SLOWEST);
-    let whole = 1.0 / (1.0 - rate * rate);
-    let mut errors = zipped(change, &Table::new(), |change, _| Some(whole * change?));
+    let mut errors = zipped(change, &Table::new(), |change, _| Some(of_four() * change?));
     of_sticks(&mut errors, steps);
     errors
+}
+
+/// The error that given increments leave is at most so many times what [`PINNED`] times as many change.
+pub(super) fn of_four() -> f64 {
+    let rate = SLOWEST / (1.0 + SLOWEST);
+    1.0 / (1.0 - rate * rate)
 }
 
 /// The sum of the geometric series that goes on at the rate of the last two changes, between that of first order and that of [`SLOWEST`].

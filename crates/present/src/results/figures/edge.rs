@@ -7,7 +7,7 @@ use super::{half_remark, zone_bands};
 use crate::results::attempt::Attempt;
 use crate::results::display::{EdgeView, even};
 use crate::results::zones::{contact_ranges, contact_reach, is_closed, modelled, stick_ranges};
-use stickslip_engine::results::EdgeRow;
+use stickslip_engine::results::{EdgeRow, RowErrors};
 use stickslip_text::{decimals, short, significant};
 
 /// Part of a contact line that is shown, in widths of all contact.
@@ -43,20 +43,34 @@ pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
     .subtitle(subtitle(view, step))
     .size(760.0, 0.55);
     let [normal, tangential, shear] = view.stress_symbols();
-    let curve = |value: fn(&EdgeRow) -> f64| curve(view, step, |row| scale(value(row)));
-    let hoop = Series::new(tangential, curve(|row| row.sigma_tangential));
+    let curve = |name: String, value: fn(&EdgeRow) -> f64, error: fn(&RowErrors) -> f64| {
+        let points = curve(view, step, |row| scale(value(row)));
+        let margin = margin(view, step, &points, |errors| scale(error(errors)));
+        Series::new(name, points).margin(margin)
+    };
+    let hoop = curve(
+        tangential.to_owned(),
+        |row| row.sigma_tangential,
+        |errors| errors.sigma_tangential,
+    );
     if view.is_circle() && !view.geometry.contact {
         chart = chart.with(hoop);
     } else {
         let [pressure, friction] = contact_names(view);
         chart = chart
-            .with(Series::new(
+            .with(curve(
                 format!("{normal}{pressure}"),
-                curve(|row| row.sigma_normal),
+                |row| row.sigma_normal,
+                |errors| errors.pressure,
             ))
             .with(hoop.dash(Dash::DashDotted))
             .with(
-                Series::new(format!("{shear}{friction}"), curve(|row| row.tau)).dash(Dash::Dashed),
+                curve(
+                    format!("{shear}{friction}"),
+                    |row| row.tau,
+                    |errors| errors.shear,
+                )
+                .dash(Dash::Dashed),
             );
     }
     chart.bands = zone_bands(view, step);
@@ -240,6 +254,21 @@ pub(super) fn curve(
     });
     let places = view.geometry.parameter.iter().map(|&at| view.place(at));
     along(places.zip(rows), is_closed(view))
+}
+
+/// The ends of the margins of `points`, those of [`curve`]; empty where no errors are known.
+pub(super) fn margin(
+    view: &EdgeView<'_>,
+    step: usize,
+    points: &[[f64; 2]],
+    error: impl Fn(&RowErrors) -> f64,
+) -> Vec<[f64; 2]> {
+    let errors = view.step(step).row_errors.iter().map(error);
+    let places = view.geometry.parameter.iter().map(|&at| view.place(at));
+    let errors = along(places.zip(errors), is_closed(view));
+    let ends = points.iter().zip(errors);
+    ends.map(|([_, value], [_, error])| [value - error, value + error])
+        .collect()
 }
 
 /// Points by ascending place `[degree]`, and where they are those of a closed circle continued to ±180°.

@@ -6,12 +6,12 @@ use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series};
 use stickslip_report::color::{Color, loading_sequence, sequence, unloading_sequence};
 use stickslip_report::svg::Svg;
 
-use super::edge::{around_contact, curve, place_axis};
+use super::edge::{around_contact, curve, margin, place_axis};
 use super::last_largest;
 use crate::results::attempt::Attempt;
 use crate::results::display::{EdgeView, even};
 use crate::results::zones::contact_reach;
-use stickslip_engine::results::EdgeRow;
+use stickslip_engine::results::{EdgeRow, RowErrors};
 use stickslip_text::{decimals, significant};
 
 /// Steps up to which every curve has its own entry in the legend: as many as stand beside one chart.
@@ -26,6 +26,7 @@ struct Quantity {
     title: &'static str,
     symbol: String,
     value: fn(&EdgeRow) -> f64,
+    error: fn(&RowErrors) -> f64,
     /// Whether only the contact is of interest.
     near_contact: bool,
 }
@@ -36,6 +37,7 @@ pub(super) fn pressure(view: &EdgeView<'_>) -> Attempt {
         title: "Contact pressure",
         symbol: "CPRESS".into(),
         value: |row| row.pressure,
+        error: |errors| errors.pressure,
         near_contact: true,
     };
     let peak = largest(view, |step| view.step(step).peak_pressure);
@@ -52,6 +54,7 @@ pub(super) fn shear(view: &EdgeView<'_>) -> Attempt {
         title: "Friction traction",
         symbol: "CSHEAR1".into(),
         value: |row| row.shear,
+        error: |errors| errors.shear,
         near_contact: true,
     };
     let peak = largest(view, |step| largest_shear(view, step));
@@ -93,6 +96,7 @@ pub(super) fn hoop(view: &EdgeView<'_>) -> Attempt {
         },
         symbol: symbol.into(),
         value: |row| row.sigma_tangential,
+        error: |errors| errors.sigma_tangential,
         near_contact: !view.is_circle(),
     };
     let peak = largest(view, |step| view.step(step).peak_hoop);
@@ -236,10 +240,13 @@ fn chart(
         Axis::linear(label),
     );
     for (step, look) in looks(view).into_iter().enumerate() {
-        let points = curve(view, step, |row| {
-            scaled(step, (quantity.value)(row)).unwrap_or(f64::NAN)
+        let shown = |value: f64| scaled(step, value).unwrap_or(f64::NAN);
+        let points = curve(view, step, |row| shown((quantity.value)(row)));
+        let margin = margin(view, step, &points, |errors| {
+            shown((quantity.error)(errors))
         });
         let series = Series::new(look.label, points)
+            .margin(margin)
             .color(look.color)
             .dash(look.dash)
             .width(1.6);

@@ -1,0 +1,156 @@
+//! What is left of tractions and stresses at the nodes of edges.
+//!
+//! ```text
+//! error(θ) = k max max(|v_h − v_2h|, r |v_2h − v_4h|)      over the nodes no farther from θ than those of 2h are apart
+//! ```
+//!
+//! Values of a coarser model are those of cubic polynomials between nodes of one status, and linear elsewhere. To that comes [`PATH`] times what the last
+//! halving of the increments of a load step changed, and what deformed gaps may change.
+
+use super::numbers::Numbers;
+use crate::results::{EdgeGeometry, Nodes, RowErrors, Values, joined, values};
+
+/// k of the module's equation.
+const DIVISION: f64 = 1.0;
+/// r of the module's equation.
+const RATE: f64 = 0.25;
+/// What increments leave, by the change that halving them made.
+const PATH: f64 = 2.0;
+
+/// Errors at the nodes of edges, per step and edge.
+#[derive(Clone, Default)]
+pub(super) struct Along {
+    nodes: Vec<Nodes>,
+    steps: Vec<Vec<Vec<Values>>>,
+}
+
+impl Along {
+    /// What the division of the last of `levels` leaves; empty where there is one only.
+    pub(super) fn of_division(levels: &[&Numbers]) -> Self {
+        let [.., coarse, fine] = levels else {
+            return Self::default();
+        };
+        let last = Self::between(fine, coarse);
+        let sizes = match levels {
+            [.., coarser, coarse, _] => {
+                let before = Self::between(coarse, coarser).on(&fine.geometries);
+                last.joined(&before, |last, before| last.max(RATE * before))
+            }
+            _ => last,
+        };
+        sizes.widened(coarse).times(DIVISION)
+    }
+
+    /// What the load path leaves, after `finer` had twice as many increments as `base` in the steps `halved`; `self` is what was left before.
+    pub(super) fn halved(self, finer: &Numbers, base: &Numbers, halved: &[bool]) -> Self {
+        let mut left = Self::between(finer, base).times(PATH);
+        let before = self.steps.into_iter().enumerate();
+        for (step, own) in before.filter(|(step, _)| !halved[*step]) {
+            left.steps[step] = own;
+        }
+        left
+    }
+
+    /// The differences of two models at the nodes of the first.
+    pub(super) fn between(fine: &Numbers, coarse: &Numbers) -> Self {
+        let nodes: Vec<Nodes> = fine.geometries.iter().map(Nodes::of).collect();
+        let other: Vec<Nodes> = coarse.geometries.iter().map(Nodes::of).collect();
+        let steps = fine.steps.iter().zip(&coarse.steps);
+        let steps = steps.map(|(step, coarser)| {
+            let edges = step.iter().zip(coarser).enumerate();
+            edges
+                .map(|(edge, (own, coarser))| {
+                    let rows = own.rows.iter().zip(&nodes[edge].parameter);
+                    rows.map(|(row, &at)| {
+                        let there = other[edge].interpolated(&coarser.rows, at);
+                        joined(values(row), there, |own, there| (own - there).abs())
+                    })
+                    .collect()
+                })
+                .collect()
+        });
+        Self {
+            steps: steps.collect(),
+            nodes,
+        }
+    }
+
+    /// All errors `factor` times as large.
+    pub(super) fn times(mut self, factor: f64) -> Self {
+        let rows = self.steps.iter_mut().flatten().flatten();
+        rows.for_each(|row| *row = row.map(|error| factor * error));
+        self
+    }
+
+    /// The sum with errors at other nodes; those that are empty add nothing.
+    pub(super) fn and(&self, other: &Self) -> Self {
+        let other = other.at(&self.nodes);
+        self.joined(&other, |own, other| own + other)
+    }
+
+    /// The errors of every step and edge.
+    pub(super) fn into_steps(self) -> Vec<Vec<Vec<RowErrors>>> {
+        let named = |[pressure, shear, sigma_tangential]: Values| RowErrors {
+            pressure,
+            shear,
+            sigma_tangential,
+        };
+        let edge = |errors: Vec<Values>| errors.into_iter().map(named).collect();
+        let step = |edges: Vec<Vec<Values>>| edges.into_iter().map(edge).collect();
+        self.steps.into_iter().map(step).collect()
+    }
+
+    fn on(&self, geometries: &[EdgeGeometry]) -> Self {
+        self.at(&geometries.iter().map(Nodes::of).collect::<Vec<_>>())
+    }
+
+    /// The larger ones of the neighbours of `nodes`.
+    fn at(&self, nodes: &[Nodes]) -> Self {
+        let steps = self.steps.iter().map(|step| {
+            let edges = step.iter().zip(&self.nodes).zip(nodes);
+            edges
+                .map(|((errors, own), nodes)| {
+                    let largest = |&at: &f64| {
+                        let [from, to] = own.around(at);
+                        joined(errors[from], errors[to], f64::max)
+                    };
+                    nodes.parameter.iter().map(largest).collect()
+                })
+                .collect()
+        });
+        Self {
+            steps: steps.collect(),
+            nodes: nodes.to_vec(),
+        }
+    }
+
+    /// Errors at the same nodes; the second ones may be empty.
+    fn joined(&self, other: &Self, join: impl Fn(f64, f64) -> f64) -> Self {
+        let mut all = self.clone();
+        let pairs = all.steps.iter_mut().zip(&other.steps);
+        let pairs = pairs.flat_map(|(step, other)| step.iter_mut().zip(other));
+        for (own, other) in pairs.flat_map(|(edge, other)| edge.iter_mut().zip(other)) {
+            *own = joined(*own, *other, &join);
+        }
+        all
+    }
+
+    /// At every node the largest error no farther away than nodes of `coarse` are apart there.
+    fn widened(&self, coarse: &Numbers) -> Self {
+        let coarse: Vec<Nodes> = coarse.geometries.iter().map(Nodes::of).collect();
+        let steps = self.steps.iter().map(|step| {
+            let edges = step.iter().zip(&self.nodes).zip(&coarse);
+            edges
+                .map(|((errors, own), coarse)| {
+                    let at = own.parameter.iter().enumerate();
+                    at.map(|(k, &at)| own.largest_near(errors, k, coarse.spacing(at)))
+                        .collect()
+                })
+                .collect()
+        });
+        Self {
+            steps: steps.collect(),
+            nodes: self.nodes.clone(),
+        }
+    }
+}
