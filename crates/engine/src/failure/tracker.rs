@@ -177,6 +177,7 @@ impl<'a> Tracker<'a> {
                 reached: true,
                 factor: part,
                 load: None,
+                load_error: None,
                 at,
             }
         }))
@@ -199,6 +200,7 @@ impl<'a> Tracker<'a> {
             index: assessment.index,
             reserve_factor: assessment.reserve_factor,
             mode: assessment.mode,
+            errors: None,
         }
     }
 
@@ -218,6 +220,7 @@ impl<'a> Tracker<'a> {
                 reached: false,
                 factor,
                 load: None,
+                load_error: None,
                 at: FailurePoint {
                     stress,
                     index: 1.0,

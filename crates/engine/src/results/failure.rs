@@ -73,6 +73,19 @@ pub struct FailurePoint {
     pub reserve_factor: f64,
     /// How it fails.
     pub mode: FailureMode,
+    /// Estimated errors; `None` where none were estimated.
+    pub errors: Option<PointErrors>,
+}
+
+/// Estimated errors of a [`FailurePoint`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointErrors {
+    /// Of the failure index; `None` without a finite one.
+    pub index: Option<f64>,
+    /// Of the reserve factor; `None` without a finite one.
+    pub reserve_factor: Option<f64>,
+    /// How far away the place may be `[mm]`.
+    pub place: f64,
 }
 
 /// The load at which the first ply fails.
@@ -86,6 +99,8 @@ pub struct FirstPly {
     pub factor: f64,
     /// The load there, in terms of what distinguishes the steps; `None` where only their number does.
     pub load: Option<LoadValue>,
+    /// Estimated error of that load, in its unit; `None` where none was estimated.
+    pub load_error: Option<f64>,
     /// The ply and its place, with the stress at that load.
     pub at: FailurePoint,
 }

@@ -7,6 +7,7 @@
 
 mod along;
 mod division;
+mod failure;
 mod geometry;
 mod grading;
 mod limits;
@@ -22,8 +23,8 @@ use self::along::Along;
 use self::geometry::Geometry;
 use self::models::{Division, Level, Models};
 use self::numbers::{Numbers, Table, difference, sum};
-use super::{Progress, RunError, results};
-use crate::results::{EdgeResults, Ladder, LadderEnd, Results, Rung, Stated};
+use super::{Progress, RunError, results, results_without_audit};
+use crate::results::{BodyFailure, EdgeResults, Ladder, LadderEnd, Results, Rung, Stated};
 
 /// Fewest increments of a load step with friction that are compared with twice as many.
 const FEWEST: usize = 4;
@@ -78,9 +79,7 @@ pub(super) fn climb(
         };
         let Some(level) = next else {
             let end = end.unwrap_or(LadderEnd::Finest);
-            let along = Along::of_division(&numbers(&levels));
-            let along = along.and(&path.along).and(&model.along);
-            return climb.finish(levels, errors, along, &model, end);
+            return climb.finish(levels, errors, &path, &model, end);
         };
         levels.push(level);
     }
@@ -264,16 +263,23 @@ impl Climb<'_> {
         self,
         mut levels: Vec<Level>,
         errors: Table,
-        along: Along,
+        path: &Left,
         geometry: &Geometry,
         end: LadderEnd,
     ) -> Result<Results, RunError> {
+        let along = Along::of_division(&numbers(&levels));
+        let along = along.and(&path.along).and(&geometry.along);
         let Some(last) = levels.pop() else {
             return super::run_with(self.scene, self.models.solver(), &mut |_| {});
         };
         let unlimited = division::findings(&last.numbers, &errors);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         found.findings.extend(unlimited);
+        if last.model.request.failure.is_some() {
+            let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));
+            let before = self.failure_before(levels);
+            failure::estimate(&mut found.failure, &before, &parts);
+        }
         for ((step, fitted), errors) in found.steps.iter_mut().zip(last.numbers.steps).zip(errors) {
             for ((edge, fitted), errors) in step.edges.iter_mut().zip(fitted).zip(errors) {
                 *edge = EdgeResults { errors, ..fitted };
@@ -291,6 +297,25 @@ impl Climb<'_> {
             end,
         });
         Ok(found)
+    }
+
+    /// What the last two of `levels` say of the failure of bodies, the finer first; of joints that are followed to their end nothing.
+    fn failure_before(&self, levels: Vec<Level>) -> Vec<Vec<BodyFailure>> {
+        let failure = |level: Level| {
+            let bodies = &level.model.request.failure.as_ref()?.bodies;
+            let followed = bodies.iter().any(|body| body.progressive.is_some());
+            let bodies: Vec<usize> = bodies.iter().map(|body| body.body).collect();
+            let solver = self.models.solver();
+            let found = (!followed)
+                .then(|| results_without_audit(&level.model, solver, level.solved, &bodies));
+            Some(found?.ok()?.failure)
+        };
+        levels
+            .into_iter()
+            .rev()
+            .take(2)
+            .map_while(failure)
+            .collect()
     }
 }
 

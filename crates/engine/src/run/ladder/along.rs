@@ -10,8 +10,8 @@
 use super::numbers::Numbers;
 use crate::results::{EdgeGeometry, Nodes, RowErrors, Values, joined, values};
 
-/// k of the module's equation.
-const DIVISION: f64 = 1.0;
+/// k of the module's equation, of pressure, shear and σ_t.
+const DIVISION: [f64; 3] = [1.2, 1.2, 1.6];
 /// r of the module's equation.
 const RATE: f64 = 0.25;
 /// What increments leave, by the change that halving them made.
@@ -38,7 +38,7 @@ impl Along {
             }
             _ => last,
         };
-        sizes.widened(coarse).times(DIVISION)
+        sizes.widened(coarse).times_each(DIVISION)
     }
 
     /// What the load path leaves, after `finer` had twice as many increments as `base` in the steps `halved`; `self` is what was left before.
@@ -76,9 +76,13 @@ impl Along {
     }
 
     /// All errors `factor` times as large.
-    pub(super) fn times(mut self, factor: f64) -> Self {
+    pub(super) fn times(self, factor: f64) -> Self {
+        self.times_each([factor; 3])
+    }
+
+    fn times_each(mut self, factors: [f64; 3]) -> Self {
         let rows = self.steps.iter_mut().flatten().flatten();
-        rows.for_each(|row| *row = row.map(|error| factor * error));
+        rows.for_each(|row| *row = joined(*row, factors, |error, factor| factor * error));
         self
     }
 

@@ -212,7 +212,7 @@ fn factor(stated: Stated, nodes: Spaced) -> f64 {
     if nodes.are_graded() {
         return match stated {
             Stated::PeakPressure if nodes == Spaced::GradedDeformed => 3.0,
-            Stated::NormalForce => 0.6,
+            Stated::FrictionForce => 1.6,
             Stated::PeakHoopPlace => 0.7,
             Stated::ContactExtent => 1.1,
             Stated::StickExtent | Stated::SlipAway | Stated::SlipTowards | Stated::PeakHoop => 1.5,

@@ -58,6 +58,15 @@ struct Point<'a> {
     index: Option<f64>,
     reserve_factor: Option<f64>,
     margin: Option<f64>,
+    #[serde(flatten)]
+    errors: Option<PointErrors>,
+}
+
+#[derive(Debug, Serialize)]
+struct PointErrors {
+    index_error: Option<f64>,
+    reserve_factor_error: Option<f64>,
+    place_error: Quantity,
 }
 
 #[derive(Debug, Serialize)]
@@ -68,6 +77,8 @@ struct First<'a> {
     step: Option<usize>,
     factor: Option<f64>,
     load: Option<Quantity>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    load_error: Option<Quantity>,
     #[serde(skip_serializing_if = "Option::is_none")]
     joint_mode: Option<&'static str>,
     at: Option<Point<'a>>,
@@ -179,19 +190,25 @@ fn point<'a>(view: &FailureView<'a>, at: &'a FailurePoint) -> Point<'a> {
         index: tidy(at.index),
         reserve_factor: tidy(at.reserve_factor),
         margin: tidy(at.reserve_factor - 1.0),
+        errors: at.errors.map(|errors| PointErrors {
+            index_error: errors.index.and_then(tidy),
+            reserve_factor_error: errors.reserve_factor.and_then(tidy),
+            place_error: length(view, errors.place),
+        }),
     }
 }
 
 fn first<'a>(view: &FailureView<'a>, criterion: &'a str, found: Option<&'a FirstPly>) -> First<'a> {
+    let load = found.and_then(|first| first.load.as_ref());
+    let load_error = load.zip(found.and_then(|first| first.load_error));
     First {
         criterion,
         fails: found.is_some(),
         reached: found.map(|first| first.reached),
         step: found.map(|first| first.step + 1),
         factor: found.and_then(|first| tidy(first.factor)),
-        load: found
-            .and_then(|first| first.load.as_ref())
-            .map(|load| Quantity::new(load.value, load.unit.clone())),
+        load: load.map(|load| Quantity::new(load.value, load.unit.clone())),
+        load_error: load_error.map(|(load, error)| Quantity::new(error, load.unit.clone())),
         joint_mode: None,
         at: found.map(|first| point(view, &first.at)),
     }

@@ -27,6 +27,14 @@ pub(crate) fn first_ply(view: &FailureView<'_>) -> Table {
     beside_supports(view).into_iter().fold(table, Table::note)
 }
 
+/// A number and its error, where one was estimated.
+fn with_error(number: String, error: Option<f64>) -> String {
+    match error {
+        Some(error) => format!("{number} ± {}", significant(error, 2)),
+        None => number,
+    }
+}
+
 /// The heading of the load behind others, if steps have one; of a factor `dimensionless` is the unit.
 fn load_heading(load: &LoadScale, dimensionless: &str) -> String {
     match load.unit.as_str() {
@@ -101,7 +109,8 @@ fn row(
     };
     if with_load {
         let value = first.load.as_ref().map(|load| load.value);
-        cells.push(value.map_or("–".into(), |value| significant(value, 4)));
+        let value = value.map(|value| with_error(significant(value, 4), first.load_error));
+        cells.push(value.unwrap_or_else(|| "–".into()));
     }
     let at = &first.at;
     let place = view.place(at);
@@ -171,11 +180,10 @@ pub(crate) fn steps(view: &FailureView<'_>) -> Table {
         if load.is_load() {
             cells.push(significant(load.values[step], 5));
         }
-        cells.extend(
-            points
-                .iter()
-                .map(|point| significant(point.reserve_factor, 4)),
-        );
+        cells.extend(points.iter().map(|point| {
+            let error = point.errors.and_then(|errors| errors.reserve_factor);
+            with_error(significant(point.reserve_factor, 4), error)
+        }));
         if let Some(point) = points.first() {
             let place = view.place(point).map(|value| significant(value, 3));
             cells.extend([failure.ply_name(point.ply), point.mode.to_string()]);

@@ -1,0 +1,146 @@
+//! What is left of loads and places of failure.
+//!
+//! A number v is compared with that of the models before, `k max(|v₂ − v₁|, r |v₁ − v₀|)`, for failure begins where stress has a cusp. To that comes the part by which the load path and the
+//! geometry leave the peak stress and pressure of the step.
+
+use super::numbers::{Numbers, Table};
+use crate::results::{BodyFailure, FailurePoint, FirstPly, JointFailure, PointErrors, Stated};
+
+/// k of the module's equation.
+const FACTOR: f64 = 2.0;
+/// r of the module's equation.
+const RATE: f64 = 0.5;
+
+/// Puts errors into `found`, the failure of bodies of the finest model, by that of the coarser ones `before`, the next finest first; `parts` are those of
+/// [`parts`].
+pub(super) fn estimate(found: &mut [BodyFailure], before: &[Vec<BodyFailure>], parts: &[f64]) {
+    for (index, own) in found.iter_mut().enumerate() {
+        let before: Vec<&BodyFailure> = before.iter().filter_map(|all| all.get(index)).collect();
+        if !before.is_empty() {
+            of_body(own, &before, parts);
+        }
+    }
+}
+
+/// By which part of itself a stress of each step is off at most, because of the errors `left` of the load path and of the geometry.
+pub(super) fn parts(numbers: &Numbers, left: &Table) -> Vec<f64> {
+    let steps = numbers.steps.iter().zip(left);
+    let part = |(step, errors): (&Vec<_>, &Vec<_>)| {
+        let edges = step.iter().zip(errors).zip(&numbers.geometries);
+        let contacts = edges.filter(|(_, geometry)| geometry.contact);
+        let parts = contacts.flat_map(|((edge, errors), _): ((&_, &crate::results::Errors), _)| {
+            [Stated::PeakPressure, Stated::PeakHoop]
+                .map(|stated| Some(errors.get(stated)? / stated.value(edge)?.abs()))
+        });
+        let parts = parts.flatten().filter(|part| part.is_finite());
+        parts.fold(0.0, f64::max)
+    };
+    steps.map(part).collect()
+}
+
+fn of_body(own: &mut BodyFailure, before: &[&BodyFailure], parts: &[f64]) {
+    for step in 0..own.steps.len() {
+        for (k, point) in own.steps[step].iter_mut().enumerate() {
+            let before: Vec<&FailurePoint> = (before.iter())
+                .filter_map(|other| other.steps.get(step)?.get(k))
+                .collect();
+            point.errors = of_point(point, &before, part(parts, step));
+        }
+    }
+    of_firsts(&mut own.first_ply, before, parts, |other| {
+        Some(&other.first_ply)
+    });
+    if let Some(beside) = &mut own.beside_supports {
+        of_firsts(&mut beside.sooner, before, parts, |other| {
+            Some(&other.beside_supports.as_ref()?.sooner)
+        });
+    }
+    let Some(characteristic) = &mut own.characteristic else {
+        return;
+    };
+    for (k, joint) in characteristic.curve.iter_mut().enumerate() {
+        let Some(JointFailure { first, .. }) = joint else {
+            continue;
+        };
+        let before: Vec<&FirstPly> = (before.iter())
+            .filter_map(|other| Some(&other.characteristic.as_ref()?.curve.get(k)?.as_ref()?.first))
+            .collect();
+        of_first(first, &before, parts);
+    }
+    of_firsts(&mut characteristic.net_section, before, parts, |other| {
+        Some(&other.characteristic.as_ref()?.net_section)
+    });
+    of_firsts(&mut characteristic.bearing_point, before, parts, |other| {
+        Some(&other.characteristic.as_ref()?.bearing_point)
+    });
+}
+
+fn of_firsts(
+    own: &mut [Option<FirstPly>],
+    before: &[&BodyFailure],
+    parts: &[f64],
+    of: impl Fn(&BodyFailure) -> Option<&Vec<Option<FirstPly>>>,
+) {
+    for (k, first) in own.iter_mut().enumerate() {
+        let Some(first) = first else {
+            continue;
+        };
+        let before: Vec<&FirstPly> = (before.iter())
+            .filter_map(|other| of(other)?.get(k)?.as_ref())
+            .collect();
+        of_first(first, &before, parts);
+    }
+}
+
+fn of_first(own: &mut FirstPly, before: &[&FirstPly], parts: &[f64]) {
+    let load = |first: &FirstPly| Some(first.load.as_ref()?.value);
+    own.load_error = load(own).and_then(|value| {
+        let before: Vec<f64> = before.iter().filter_map(|first| load(first)).collect();
+        Some(left(value, &before)? + part(parts, own.step) * value.abs())
+    });
+    let points: Vec<&FailurePoint> = before.iter().map(|first| &first.at).collect();
+    own.at.errors = of_point(&own.at, &points, part(parts, own.step));
+}
+
+fn of_point(own: &FailurePoint, before: &[&FailurePoint], part: f64) -> Option<PointErrors> {
+    let number = |value: fn(&FailurePoint) -> f64| {
+        let before: Vec<f64> = before.iter().map(|point| value(point)).collect();
+        let error = left(value(own), &before)? + part * value(own).abs();
+        error.is_finite().then_some(error)
+    };
+    let apart = |one: &FailurePoint, other: &FailurePoint| {
+        let [x, y] = [0, 1].map(|axis| one.position[axis] - other.position[axis]);
+        x.hypot(y)
+    };
+    let mut chain = vec![own];
+    chain.extend(before);
+    let apart: Vec<f64> = chain
+        .windows(2)
+        .map(|pair| apart(pair[0], pair[1]))
+        .collect();
+    Some(PointErrors {
+        index: number(|point| point.index),
+        reserve_factor: number(|point| point.reserve_factor),
+        place: size(&apart)?,
+    })
+}
+
+/// What the division leaves of a number, by those of coarser models; `None` without one.
+fn left(value: f64, before: &[f64]) -> Option<f64> {
+    let mut chain = vec![value];
+    chain.extend(before);
+    let changes: Vec<f64> = chain
+        .windows(2)
+        .map(|pair| (pair[0] - pair[1]).abs())
+        .collect();
+    size(&changes)
+}
+
+fn size(changes: &[f64]) -> Option<f64> {
+    let before = changes.get(1).copied().unwrap_or(0.0);
+    Some(FACTOR * changes.first()?.max(RATE * before))
+}
+
+fn part(parts: &[f64], step: usize) -> f64 {
+    parts.get(step).copied().unwrap_or(0.0)
+}
