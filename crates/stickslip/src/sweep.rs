@@ -32,6 +32,7 @@ pub mod engine;
 mod error;
 pub mod figures;
 mod format;
+mod minima;
 pub mod page;
 mod plan;
 mod queue;
@@ -41,5 +42,6 @@ pub mod table;
 mod verdict;
 
 pub use error::SweepError;
+pub use minima::{Minimum, minima};
 pub use plan::Sweep;
 pub use verdict::{findings, verdict, warning};

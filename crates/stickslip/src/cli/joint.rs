@@ -27,7 +27,7 @@ use crate::sweep::engine::run;
 use crate::sweep::figures::{Drawing, draw};
 use crate::sweep::page::{Account, page};
 use crate::sweep::row::Row;
-use crate::sweep::{Sweep, SweepError, findings, table, verdict, warning};
+use crate::sweep::{Minimum, Sweep, SweepError, findings, minima, table, verdict, warning};
 use stickslip_scene::limits::Content;
 
 const TABLE: &str = "cases.csv";
@@ -297,11 +297,24 @@ fn summary(sweep: &Sweep, rows: &[Row], account: &Account) -> Value {
         "solved": solved,
         "unresolved": rows.len() - solved,
         "verdict": verdict(sweep, rows),
+        "minima": minima(sweep, rows).iter().map(|own| minimum(sweep, own)).collect::<Vec<_>>(),
         "findings": findings(rows),
         "solved_in_this_run": account.solved_now,
         "wall_time_s": account.seconds,
         "workers": account.jobs,
         "bodies_condensed": account.effort.condensed,
+    })
+}
+
+/// A minimum along an axis, for programs.
+fn minimum(sweep: &Sweep, own: &Minimum) -> Value {
+    json!({
+        "number": own.number,
+        "axis": sweep.axes[own.axis].key.name(),
+        "case": own.case,
+        "value": own.value[0],
+        "error": own.value[1],
+        "within_error_of_a_neighbour": own.is_open,
     })
 }
 

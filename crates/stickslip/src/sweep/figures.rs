@@ -238,17 +238,24 @@ impl View<'_> {
             self.sweep.title,
             self.conditions()
         ));
-        let curve = |y, load: &dyn Fn(&Row) -> Option<f64>| -> Vec<[f64; 2]> {
-            let points = numbers
-                .iter()
-                .enumerate()
-                .filter_map(|(x, &number)| Some([number, load(self.row(Some(x), y)?)?]));
-            points.collect()
+        let curve = |y, load: &dyn Fn(&Row) -> Option<(f64, Option<f64>)>| {
+            let points = numbers.iter().enumerate().filter_map(|(x, &number)| {
+                let (load, error) = load(self.row(Some(x), y)?)?;
+                let error = error.unwrap_or(0.0);
+                Some(([number, load], [load - error, load + error]))
+            });
+            points.unzip::<_, _, Vec<[f64; 2]>, Vec<[f64; 2]>>()
         };
         let mut first_plies = false;
         for (index, y) in self.values(1).into_iter().enumerate() {
-            let joint = curve(y, &|row| row.joint()?.load);
-            let first = curve(y, &|row| row.measures()?.first_ply.as_ref()?.load);
+            let (joint, joint_margin) = curve(y, &|row| {
+                let joint = row.joint()?;
+                Some((joint.load?, joint.load_error))
+            });
+            let (first, first_margin) = curve(y, &|row| {
+                let first = row.measures()?.first_ply.as_ref()?;
+                Some((first.load?, first.load_error))
+            });
             let name = self
                 .axis(1)
                 .zip(y)
@@ -258,12 +265,13 @@ impl View<'_> {
             let only_first = joint.is_empty();
             if !only_first {
                 let series = Series::new(name.clone(), joint).style(SeriesStyle::Both);
-                chart = chart.with(series.color(color));
+                chart = chart.with(series.margin(joint_margin).color(color));
             }
             if !first.is_empty() {
                 first_plies = true;
                 let label = if only_first { name } else { String::new() };
                 let series = Series::new(label, first).dash(Dash::Dashed).width(1.2);
+                let series = series.margin(first_margin);
                 chart = chart.with(series.color(color));
             }
         }

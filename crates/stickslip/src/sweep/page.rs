@@ -10,7 +10,7 @@ use super::engine::Effort;
 use super::figures::Drawing;
 use super::row::{Measures, Outcome, Row};
 use super::verdict::ORDER;
-use super::{Sweep, verdict, warning};
+use super::{Sweep, minima, verdict, warning};
 use stickslip_engine::results::JointMode;
 use stickslip_text::{counted, short, significant};
 
@@ -65,6 +65,10 @@ pub fn page(
         Section::new("Axes").with(axes(sweep)),
         Section::new("Cases").with(cases(sweep, rows)),
     ];
+    let minima = minima_table(sweep, rows);
+    if !minima.rows.is_empty() {
+        page.sections.push(Section::new("Minima").with(minima));
+    }
     let unresolved = unresolved(sweep, rows);
     if !unresolved.rows.is_empty() {
         page.sections
@@ -181,15 +185,42 @@ fn case_cells(measures: &Measures) -> [String; 10] {
             measures.peak_hoop.map(|[_, place]| place),
             errors.peak_hoop_angle,
         ),
-        number(first.and_then(|first| first.load)),
+        stated(
+            first.and_then(|first| first.load),
+            first.and_then(|first| first.load_error),
+        ),
         first.map_or_else(String::new, |first| first.ply.clone()),
         first.map_or_else(String::new, |first| {
             format!("{}: {}", first.criterion, first.mode)
         }),
-        number(joint.and_then(|joint| joint.load)),
+        stated(
+            joint.and_then(|joint| joint.load),
+            joint.and_then(|joint| joint.load_error),
+        ),
         joint.map_or_else(String::new, |joint| joint.mode.name().to_owned()),
         number(joint.map(|joint| joint.angle)),
     ]
+}
+
+/// Where numbers are least along an axis, and whether their errors leave that open.
+fn minima_table(sweep: &Sweep, rows: &[Row]) -> Table {
+    let all = minima(sweep, rows);
+    let mut table = Table::headed("", "number | along | least where | value | place");
+    for own in all.iter().take(MOST_ROWS) {
+        let [value, error] = own.value;
+        table.push([
+            own.number.replace('_', " "),
+            sweep.axes[own.axis].symbol().to_owned(),
+            sweep.name_of(own.case),
+            format!("{} ± {}", significant(value, 5), significant(error, 2)),
+            if own.is_open {
+                "open: a neighbour may be as low".to_owned()
+            } else {
+                "lower than its neighbours".to_owned()
+            },
+        ]);
+    }
+    table
 }
 
 fn unresolved(sweep: &Sweep, rows: &[Row]) -> Table {

@@ -81,6 +81,8 @@ pub struct MeasureErrors {
 pub struct PlyFailure {
     /// Its load, in [`Sweep::load_unit`].
     pub load: Option<f64>,
+    /// Estimated error of the load, where the case states one.
+    pub load_error: Option<f64>,
     /// Its direction, with its name where there are several plies.
     pub ply: String,
     /// The criterion that fails first.
@@ -98,6 +100,8 @@ pub struct PlyFailure {
 pub struct JointLoad {
     /// Its load, in [`Sweep::load_unit`].
     pub load: Option<f64>,
+    /// Estimated error of the load, where the case states one.
+    pub load_error: Option<f64>,
     /// That load over D t; `None` where the load is no force.
     pub bearing_stress: Option<f64>,
     /// The mode, by the angle.
@@ -186,6 +190,7 @@ fn first_ply(
     let first = found.min_by(|a, b| size(a).total_cmp(&size(b)))?;
     Some(PlyFailure {
         load: load(first),
+        load_error: load(first).and(first.load_error).map(tidy),
         ply: failure.ply_name(first.at.ply),
         criterion: first.at.criterion.to_owned(),
         mode: first.at.mode.to_string(),
@@ -218,6 +223,7 @@ fn joint(
         .map(|(load, area)| load * units.force.in_base / area);
     Some(JointLoad {
         load,
+        load_error: load.and(found.first.load_error).map(tidy),
         bearing_stress: bearing.map(|stress| tidy(units.stress.from_base(stress))),
         mode: found.mode,
         angle: tidy(found.angle.to_degrees()),

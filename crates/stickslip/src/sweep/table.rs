@@ -7,7 +7,7 @@
 //! | `load` | largest load of the history; contact and hoop stress are those of its step |
 //! | `peak_pressure`, `contact_half_angle` | of the joint's contact |
 //! | `peak_hoop`, `peak_hoop_angle` | largest hoop stress on the hole, and where |
-//! | `peak_pressure_error`, …, `peak_hoop_angle_error` | estimated errors of these, each beside its number, where cases find their own model for an accuracy |
+//! | `peak_pressure_error`, …, `peak_hoop_angle_error`, `first_ply_load_error`, `joint_load_error` | estimated errors, each beside its number, where cases find their own model for an accuracy |
 //! | `first_ply_load`, `first_ply`, `first_ply_criterion`, `first_ply_mode`, `first_ply_angle`, `first_ply_found` | the first ply to fail |
 //! | `joint_load`, `joint_bearing_stress`, `joint_mode`, `joint_angle`, `joint_found` | failure on the characteristic curve |
 //! | `seconds` | time of the case on its core |
@@ -139,6 +139,20 @@ fn contact_columns(sweep: &Sweep) -> Columns<'_, &Row> {
         })
 }
 
+/// The column of a load's error behind `columns`, where cases state errors.
+fn with_error<'a>(
+    columns: Columns<'a, &'a Row>,
+    sweep: &'a Sweep,
+    name: &str,
+    cell: impl Fn(&'a Row) -> String + 'a,
+) -> Columns<'a, &'a Row> {
+    if sweep.states_errors() {
+        columns.with(name, &sweep.load_unit, cell)
+    } else {
+        columns
+    }
+}
+
 fn first_ply_columns(sweep: &Sweep) -> Columns<'_, &Row> {
     let cell = |cell: fn(&PlyFailure) -> String| {
         move |row: &Row| {
@@ -146,12 +160,13 @@ fn first_ply_columns(sweep: &Sweep) -> Columns<'_, &Row> {
             first.map_or_else(String::new, cell)
         }
     };
-    Columns::new()
-        .with(
-            "first_ply_load",
-            &sweep.load_unit,
-            cell(|first| shown(first.load)),
-        )
+    let load = Columns::new().with(
+        "first_ply_load",
+        &sweep.load_unit,
+        cell(|first| shown(first.load)),
+    );
+    let error = cell(|first| shown(first.load_error));
+    with_error(load, sweep, "first_ply_load_error", error)
         .with("first_ply", "", cell(|first| first.ply.clone()))
         .with(
             "first_ply_criterion",
@@ -168,12 +183,13 @@ fn joint_columns(sweep: &Sweep) -> Columns<'_, &Row> {
     let cell = |cell: fn(&JointLoad) -> String| {
         move |row: &Row| row.joint().map_or_else(String::new, cell)
     };
-    Columns::new()
-        .with(
-            "joint_load",
-            &sweep.load_unit,
-            cell(|joint| shown(joint.load)),
-        )
+    let load = Columns::new().with(
+        "joint_load",
+        &sweep.load_unit,
+        cell(|joint| shown(joint.load)),
+    );
+    let error = cell(|joint| shown(joint.load_error));
+    with_error(load, sweep, "joint_load_error", error)
         .with(
             "joint_bearing_stress",
             stress,
@@ -313,8 +329,8 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
         cells.next();
     }
     let mut measures = cells.contact(sweep.states_errors())?;
-    measures.first_ply = cells.first_ply()?;
-    measures.joint = cells.joint()?;
+    measures.first_ply = cells.first_ply(sweep.states_errors())?;
+    measures.joint = cells.joint(sweep.states_errors())?;
     let seconds = cells.number()?.unwrap_or_default();
     let outcome = cells.next();
     measures.findings = findings_of(cells.next());

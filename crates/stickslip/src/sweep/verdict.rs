@@ -3,8 +3,8 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use super::Sweep;
 use super::row::{JointLoad, Row};
+use super::{Sweep, minima};
 use stickslip_engine::results::JointMode;
 use stickslip_text::{counted, short};
 
@@ -46,6 +46,7 @@ pub fn verdict(sweep: &Sweep, rows: &[Row]) -> String {
             rows.len()
         ));
     }
+    sentences.extend(open_minima(sweep, rows));
     let asked = sweep.scene.failure.as_ref();
     if asked.is_some_and(|failure| failure.envelopes.is_some()) {
         sentences.push("A sweep draws none of the scene's failure.envelopes.".to_owned());
@@ -127,6 +128,19 @@ fn range(sweep: &Sweep, axis: usize, cases: &[usize]) -> Option<String> {
             own.symbol(),
             own.cell(low),
             own.value_text(high)
+        )
+    })
+}
+
+/// How many minima along axes are open, if any is.
+fn open_minima(sweep: &Sweep, rows: &[Row]) -> Option<String> {
+    let all = minima(sweep, rows);
+    let open = all.iter().filter(|own| own.is_open).count();
+    (open > 0).then(|| {
+        format!(
+            "{open} of {} minima along an axis {} within the errors of a neighbour.",
+            all.len(),
+            if open == 1 { "lies" } else { "lie" }
         )
     })
 }

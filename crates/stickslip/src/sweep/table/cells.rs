@@ -29,11 +29,7 @@ impl<'a> Cells<'a> {
     /// The numbers of a contact, each followed by its error where a table `states_errors`.
     pub(super) fn contact(&mut self, states_errors: bool) -> Result<Measures, String> {
         let load = self.number()?;
-        let mut stated = || {
-            let value = self.number()?;
-            let error = if states_errors { self.number()? } else { None };
-            Ok::<_, String>((value, error))
-        };
+        let mut stated = || self.stated(states_errors);
         let [pressure, extent, hoop, angle] = [stated()?, stated()?, stated()?, stated()?];
         Ok(Measures {
             load,
@@ -50,12 +46,20 @@ impl<'a> Cells<'a> {
         })
     }
 
-    pub(super) fn first_ply(&mut self) -> Result<Option<PlyFailure>, String> {
-        let load = self.number()?;
+    /// A number, followed by its error where a table `states_errors`.
+    fn stated(&mut self, states_errors: bool) -> Result<(Option<f64>, Option<f64>), String> {
+        let value = self.number()?;
+        let error = if states_errors { self.number()? } else { None };
+        Ok((value, error))
+    }
+
+    pub(super) fn first_ply(&mut self, states_errors: bool) -> Result<Option<PlyFailure>, String> {
+        let (load, load_error) = self.stated(states_errors)?;
         let [ply, criterion, mode] = [self.next(), self.next(), self.next()].map(str::to_owned);
         let (angle, found) = (self.number()?, self.next());
         Ok((!found.is_empty()).then(|| PlyFailure {
             load,
+            load_error,
             ply,
             criterion,
             mode,
@@ -64,13 +68,15 @@ impl<'a> Cells<'a> {
         }))
     }
 
-    pub(super) fn joint(&mut self) -> Result<Option<JointLoad>, String> {
-        let (load, bearing_stress) = (self.number()?, self.number()?);
+    pub(super) fn joint(&mut self, states_errors: bool) -> Result<Option<JointLoad>, String> {
+        let (load, load_error) = self.stated(states_errors)?;
+        let bearing_stress = self.number()?;
         let (mode, angle, found) = (self.next(), self.number()?, self.next());
         let known = ORDER.into_iter().find(|known| known.name() == mode);
         match known.zip(angle) {
             Some((mode, angle)) => Ok(Some(JointLoad {
                 load,
+                load_error,
                 bearing_stress,
                 mode,
                 angle,
