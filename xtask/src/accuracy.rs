@@ -5,6 +5,7 @@
 
 mod along;
 mod draw;
+mod failure;
 mod tally;
 
 use std::error::Error;
@@ -172,6 +173,12 @@ fn compare(draw: &Draw, asked: f64) -> Result<Compared, String> {
                 errors,
             });
         }
+    }
+    for (own, truth) in found.failure.iter().zip(&truth.failure) {
+        let unloading = |step: usize| found.steps[step].unloading;
+        compared
+            .numbers
+            .extend(failure::numbers(own, truth, unloading));
     }
     Ok(compared)
 }

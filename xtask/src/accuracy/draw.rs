@@ -5,6 +5,19 @@ use rand::rngs::StdRng;
 
 const ISOTROPIC: &str = "isotropic]\nyoung = \"70 GPa\"\npoisson = 0.33";
 
+const LAY_UPS: [&str; 4] = ["[0/±45/90]s", "[0_2/±45/90]s", "[0/90]s", "[0/60/-60]s"];
+const FAILURE: &str = r#"[plies.carbon]
+e1 = "131.7 GPa"
+e2 = "13.8 GPa"
+g12 = "6.2 GPa"
+nu12 = 0.3
+thickness = "0.25 mm"
+strengths = { xt = "1582 MPa", xc = "1738 MPa", yt = "69.6 MPa", yc = "221 MPa", s12 = "119 MPa" }
+[failure]
+criteria = ["max_stress", "tsai_wu"]
+characteristic = { tension = "0.5 mm", compression = "1 mm" }
+"#;
+
 /// A scene without a mesh.
 pub(super) struct Draw {
     pub(super) text: String,
@@ -39,6 +52,12 @@ impl Draw {
         if plane == "strain" {
             plate = ISOTROPIC.into();
         }
+        let is_laminate = plate.starts_with("laminate");
+        let (thickness, failure) = if is_laminate {
+            ("", FAILURE)
+        } else {
+            ("thickness = \"2 mm\"\n", "")
+        };
         let chooses_kinematics = rng.random_bool(0.3);
         let kinematics = if chooses_kinematics { "auto" } else { "small" };
         let steps = steps(rng);
@@ -70,8 +89,7 @@ young = "{young} GPa"
 poisson = {poisson}
 [bodies.plate]
 material = "plate"
-thickness = "2 mm"
-[bodies.plate.shape.plate_with_hole]
+{thickness}[bodies.plate.shape.plate_with_hole]
 hole_radius = "{radius} mm"
 outline.strip = {{ half_width = "{half_width} mm", left = "{left} mm", right = "{right} mm" }}
 [bodies.pin]
@@ -86,7 +104,7 @@ friction.{law}
 on = "pin.centre"
 fix = ["x", "y"]
 {loads}
-[output]
+{failure}[output]
 fields = "none"
 figures = false
 "#
@@ -95,7 +113,7 @@ figures = false
     }
 }
 
-/// The plate's material: isotropic, orthotropic along the pull, or aside of it.
+/// The plate's material: isotropic, a laminate, orthotropic along the pull, or aside of it.
 fn plate(rng: &mut StdRng) -> String {
     let ratios: [f64; 2] = [rng.random_range(0.3..1.5), rng.random_range(0.15..0.7)];
     let [across, shear] = ratios.map(|ratio| 70.0 * ratio);
@@ -103,7 +121,11 @@ fn plate(rng: &mut StdRng) -> String {
         "orthotropic]\ne1 = \"70 GPa\"\ne2 = \"{across} GPa\"\ng12 = \"{shear} GPa\"\nnu12 = 0.3"
     );
     match rng.random_range(0..10) {
-        0..6 => ISOTROPIC.into(),
+        0..5 => ISOTROPIC.into(),
+        5 => {
+            let layup = LAY_UPS[rng.random_range(0..LAY_UPS.len())];
+            format!("laminate]\nlayup = \"{layup}\"\nply = \"carbon\"")
+        }
         6..9 => along,
         _ => format!("{along}\nangle = \"{} deg\"", rng.random_range(5..85)),
     }

@@ -104,9 +104,9 @@ impl Tally {
             // Writing into a string does not fail.
             let _ = writeln!(
                 text,
-                "| {name} | {steps} | {share:.1} % | {decided} | {} | {:.1} | {} | {} |",
+                "| {name} | {steps} | {share:.1} % | {decided} | {} | {} | {} | {} |",
                 ratio(median(&row.ratios)),
-                row.worst,
+                ratio(row.worst),
                 row.undecided,
                 row.without,
             );

@@ -30,7 +30,10 @@ impl Nodes {
         let last = self.count() - 1;
         match self.closed {
             Some(_) => [(next + last) % self.count(), next % self.count()],
-            None => [next.saturating_sub(1), next.min(last)],
+            None => {
+                let to = next.clamp(1, last.max(1));
+                [to - 1, to.min(last)]
+            }
         }
     }
 

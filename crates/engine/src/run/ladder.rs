@@ -26,8 +26,10 @@ use self::numbers::{Numbers, Table, difference, sum};
 use super::{Progress, RunError, results, results_without_audit};
 use crate::results::{BodyFailure, EdgeResults, Ladder, LadderEnd, Results, Rung, Stated};
 
-/// Fewest increments of a load step with friction that are compared with twice as many.
-const FEWEST: usize = 4;
+/// Increments of a load step with friction that are first compared with twice as many.
+const FEWEST: usize = 2;
+/// Fewest increments of such a step: two and four may agree where few nodes slip.
+const LEAST: usize = 8;
 /// Most increments of a load step that are tried.
 const INCREMENTS: usize = 64;
 /// Numbers below this part of the largest of their history are measured by it.
@@ -62,12 +64,12 @@ pub(super) fn climb(
         scene,
         models,
     };
-    let (base, model) = climb.kinematics(progress)?;
+    let (base, mut model) = climb.kinematics(progress)?;
     let (base, path) = climb.increments(base, progress)?;
     let coarse = (climb.models).level(base.rung - 1, &base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
-        let errors = sum(&sum(&climb.divided(&levels), &path.numbers), &model.errors);
+        let mut errors = climb.errors(&levels, &path, &model);
         let end = climb.end(&levels, &errors);
         let next = match (end, levels.last()) {
             (None, Some(last)) => {
@@ -79,6 +81,9 @@ pub(super) fn climb(
         };
         let Some(level) = next else {
             let end = end.unwrap_or(LadderEnd::Finest);
+            if climb.compare_geometries(&levels, &mut model, progress) {
+                errors = climb.errors(&levels, &path, &model);
+            }
             return climb.finish(levels, errors, &path, &model, end);
         };
         levels.push(level);
@@ -101,9 +106,43 @@ struct Climb<'a> {
 }
 
 impl Climb<'_> {
-    /// What the division of the last of `levels` leaves.
-    fn divided(&self, levels: &[Level]) -> Table {
-        division::errors(&numbers(levels), self.models.spaced())
+    /// All errors of the last of `levels`.
+    fn errors(&self, levels: &[Level], path: &Left, geometry: &Geometry) -> Table {
+        let divided = division::errors(&numbers(levels), self.models.spaced());
+        sum(&sum(&divided, &path.numbers), &geometry.errors)
+    }
+
+    /// Renews what deformed gaps may change by the last of `levels`, if its operators make that cheap: those of elements, whose first model may have three
+    /// nodes in contact. Whether it did.
+    fn compare_geometries(
+        &mut self,
+        levels: &[Level],
+        geometry: &mut Geometry,
+        progress: &mut dyn FnMut(Progress),
+    ) -> bool {
+        let (Some(last), false) = (levels.last(), self.models.is_graded()) else {
+            return false;
+        };
+        if geometry.errors.is_empty() {
+            return false;
+        }
+        let deformed = self.deformed(last, progress);
+        if let Ok(deformed) = &deformed {
+            geometry.renew(&last.numbers, &deformed.numbers);
+        }
+        deformed.is_ok()
+    }
+
+    /// The model of `small` with deformed gaps.
+    fn deformed(
+        &mut self,
+        small: &Level,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<Level, RunError> {
+        self.models.kinematics = KinematicsChoice::DeformedGaps;
+        let deformed = self.models.level(small.rung, &small.substeps, progress);
+        self.models.kinematics = KinematicsChoice::Small;
+        deformed
     }
 
     /// The first model, on the geometry that the accuracy needs.
@@ -115,7 +154,8 @@ impl Climb<'_> {
         let is_auto = self.models.kinematics == KinematicsChoice::Auto;
         if is_auto {
             self.models.kinematics = KinematicsChoice::Small;
-        } else if self.models.is_graded() {
+        }
+        if self.models.is_graded() {
             let coarse = self.models.level(0, substeps, progress)?;
             self.models.grade(&coarse, 1);
         }
@@ -124,37 +164,22 @@ impl Climb<'_> {
         if !is_auto || small.model.pairs.is_empty() {
             return Ok((small, Geometry::default()));
         }
-        self.models.kinematics = KinematicsChoice::DeformedGaps;
-        let deformed = self.models.level(1, substeps, progress);
-        self.models.kinematics = KinematicsChoice::Small;
-        let deformed = match deformed {
+        let deformed = match self.deformed(&small, progress) {
             Ok(deformed) => deformed,
             Err(why) => return Ok((small, Geometry::unknown(&why.to_string()))),
         };
         self.record(&deformed, None);
-        let errors = geometry::errors(&difference(&deformed.numbers, &small.numbers));
-        let worst = worst(&small.numbers, &errors, self.bounds());
+        let mut geometry = Geometry::default();
+        geometry.renew(&small.numbers, &deformed.numbers);
+        let worst = worst(&small.numbers, &geometry.errors, self.bounds());
         let matters = worst.is_some_and(|worst| worst.part > GEOMETRY_SHARE);
         let reason = Geometry::reason(worst.map(Worst::named), matters);
-        let along = Along::between(&small.numbers, &deformed.numbers).times(geometry::FACTOR);
-        let (base, errors, along) = if matters {
+        if matters {
             self.models.kinematics = KinematicsChoice::DeformedGaps;
-            (deformed, Table::new(), Along::default())
-        } else {
-            (small, errors, along)
-        };
-        self.models.grade(&base, 1);
-        let base = if self.models.is_graded() {
-            self.models.level(1, substeps, progress)?
-        } else {
-            base
-        };
-        let geometry = Geometry {
-            errors,
-            along,
-            reason,
-        };
-        Ok((base, geometry))
+            geometry = Geometry::default();
+        }
+        let base = if matters { deformed } else { small };
+        Ok((base, Geometry { reason, ..geometry }))
     }
 
     /// A model whose increments are fine enough, with the error that they leave; `base` is the first one.
@@ -168,7 +193,7 @@ impl Climb<'_> {
         }
         let pinned = self.scene.is_given("analysis.substeps");
         if !pinned {
-            // One and two increments agree wherever contact grows in proportion to the load, and two and four where few nodes slip.
+            // One and two increments agree wherever contact grows in proportion to the load.
             base = self
                 .models
                 .level(1, &times(FEWEST, &base.substeps), progress)?;
@@ -200,9 +225,11 @@ impl Climb<'_> {
             for (step, half) in halved.iter_mut().enumerate() {
                 let worst = worst_of_step(&finer.numbers, &numbers, self.bounds(), step);
                 let is_large = worst.is_some_and(|worst| worst.part > PATH_SHARE);
-                *half = is_large && substeps[step] < INCREMENTS;
+                let is_large = is_large && self.asked.is_some();
+                let is_coarse = substeps[step] < LEAST * self.scene.analysis.substeps;
+                *half = (is_large || is_coarse) && substeps[step] < INCREMENTS;
             }
-            let is_fine = self.asked.is_none() || !halved.contains(&true);
+            let is_fine = !halved.contains(&true);
             if is_fine || self.is_spent(&finer) {
                 return Ok((finer, Left { numbers, along }));
             }
@@ -272,6 +299,7 @@ impl Climb<'_> {
         let Some(last) = levels.pop() else {
             return super::run_with(self.scene, self.models.solver(), &mut |_| {});
         };
+        let along = along.floored(&last.numbers).into_steps();
         let unlimited = division::findings(&last.numbers, &errors);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         found.findings.extend(unlimited);
@@ -285,7 +313,7 @@ impl Climb<'_> {
                 *edge = EdgeResults { errors, ..fitted };
             }
         }
-        for (step, along) in found.steps.iter_mut().zip(along.into_steps()) {
+        for (step, along) in found.steps.iter_mut().zip(along) {
             for (edge, along) in step.edges.iter_mut().zip(along) {
                 edge.row_errors = along;
             }

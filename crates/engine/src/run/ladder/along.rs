@@ -12,6 +12,8 @@ use crate::results::{EdgeGeometry, Nodes, RowErrors, Values, joined, values};
 
 /// k of the module's equation, of pressure, shear and σ_t.
 const DIVISION: [f64; 3] = [1.2, 1.2, 1.6];
+/// Changes vanish by chance, and most of all where points stick; so much of the largest error along an edge does not.
+const LEAST: f64 = 0.03;
 /// r of the module's equation.
 const RATE: f64 = 0.25;
 /// What increments leave, by the change that halving them made.
@@ -90,6 +92,23 @@ impl Along {
     pub(super) fn and(&self, other: &Self) -> Self {
         let other = other.at(&self.nodes);
         self.joined(&other, |own, other| own + other)
+    }
+
+    /// Errors of at least [`LEAST`] of the largest along the edge, of tractions where there is contact; `of` are the numbers at the same nodes.
+    pub(super) fn floored(mut self, of: &Numbers) -> Self {
+        let edges = self.steps.iter_mut().zip(&of.steps);
+        for (errors, edge) in edges.flat_map(|(step, edges)| step.iter_mut().zip(edges)) {
+            let largest = errors.iter().copied();
+            let largest = largest.fold([0.0; 3], |most, own| joined(most, own, f64::max));
+            for (own, row) in errors.iter_mut().zip(&edge.rows) {
+                let touches = f64::from(u8::from(row.status.touches()));
+                let least = joined(largest, [touches, touches, 1.0], |most, part| {
+                    LEAST * part * most
+                });
+                *own = joined(*own, least, f64::max);
+            }
+        }
+        self
     }
 
     /// The errors of every step and edge.

@@ -8,7 +8,7 @@
 //! between steps as parts of the peak pressure and of the normal force. [`factor`] has k.
 
 use super::numbers::{Numbers, Table, difference};
-use crate::results::{ContactFinding, EdgeGeometry, EdgeRow, Errors, Finding, Stated};
+use crate::results::{ContactFinding, EdgeGeometry, EdgeRow, Errors, Finding, Nodes, Stated};
 
 /// A change may vanish by chance; this part of the largest one of all steps does not.
 const WIDE: f64 = 0.4;
@@ -107,7 +107,13 @@ impl Changes<'_> {
             (Stated::PeakPressurePlace, Stated::PeakPressure),
             (Stated::PeakHoopPlace, Stated::PeakHoop),
         ];
+        let rows = &self.fine.steps[at[0]][at[1]].rows;
+        let rubs = rows.iter().any(|row| row.shear != 0.0);
         Errors::of(|stated| {
+            // Without friction no force depends on which way a point slips, and the last increment says it.
+            if !rubs && matches!(stated, Stated::SlipAway | Stated::SlipTowards) {
+                return None;
+            }
             let [last, before] = self.changes(at, stated);
             if limits.concern(stated) && before.is_some_and(|before| last > Some(0.5 * before)) {
                 return None;
@@ -203,7 +209,12 @@ impl Changes<'_> {
                 .closed()
                 .map_or(away, |length| away.min(length - away))
         });
-        away.fold(0.0, f64::max)
+        let own = match peak {
+            // A fit between nodes has the place of the other peak.
+            Stated::PeakHoop => 0.0,
+            _ => 0.5 * Nodes::of(geometry).spacing(place),
+        };
+        away.fold(own, f64::max)
     }
 }
 

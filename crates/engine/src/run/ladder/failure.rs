@@ -7,7 +7,7 @@ use super::numbers::{Numbers, Table};
 use crate::results::{BodyFailure, FailurePoint, FirstPly, JointFailure, PointErrors, Stated};
 
 /// k of the module's equation.
-const FACTOR: f64 = 2.0;
+const FACTOR: f64 = 3.0;
 /// r of the module's equation.
 const RATE: f64 = 0.5;
 

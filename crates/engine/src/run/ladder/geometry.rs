@@ -1,16 +1,11 @@
 //! What a ladder finds out about the geometry on which contact is found.
 
 use super::along::Along;
-use super::numbers::{Table, zipped};
+use super::numbers::{Numbers, Table, difference, zipped};
 use crate::results::{Results, Stated};
 
 /// The difference on a coarse model is off by this factor at most.
-pub(super) const FACTOR: f64 = 1.5;
-
-/// What deformed gaps may change, by the difference that they make on a coarse model.
-pub(super) fn errors(difference: &Table) -> Table {
-    zipped(difference, &Table::new(), |error, _| Some(FACTOR * error?))
-}
+const FACTOR: f64 = 1.5;
 
 /// The geometry that was chosen, where it was left to the program.
 #[derive(Default)]
@@ -30,6 +25,13 @@ impl Geometry {
             reason: format!("no error states what deformed gaps would change: {why}"),
             ..Self::default()
         }
+    }
+
+    /// What deformed gaps may change, by the difference that they make on one model.
+    pub(super) fn renew(&mut self, small: &Numbers, deformed: &Numbers) {
+        let difference = difference(deformed, small);
+        self.errors = zipped(&difference, &Table::new(), |error, _| Some(FACTOR * error?));
+        self.along = Along::between(small, deformed).times(FACTOR);
     }
 
     /// Why a geometry is chosen, by the largest change that the deformed one makes.

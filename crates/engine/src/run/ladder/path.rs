@@ -16,6 +16,11 @@ const SLOWEST: f64 = 4.0;
 /// Given increments are compared with so many times as many: two times as many may change nothing where contact grows in proportion to the load.
 pub(super) const PINNED: usize = 4;
 
+/// Part of the error of a force that the next step keeps.
+const KEPT: f64 = 0.7;
+/// The friction force follows the path more slowly than by any fixed rate where much slips; it takes so many times the error of the others.
+const FRICTION: f64 = 1.5;
+
 /// The changes of numbers while increments are halved.
 #[derive(Default)]
 pub(super) struct Changes {
@@ -53,7 +58,7 @@ impl Changes {
             Some(0.5 * change?.max(left.unwrap_or(0.0)))
         });
         self.last = change;
-        of_sticks(&mut errors, steps);
+        adjust(&mut errors, steps);
         errors
     }
 }
@@ -61,7 +66,7 @@ impl Changes {
 /// The errors that given increments leave, by what [`PINNED`] times as many change.
 pub(super) fn of_pinned(change: &Table, steps: &[Vec<EdgeResults>]) -> Table {
     let mut errors = zipped(change, &Table::new(), |change, _| Some(of_four() * change?));
-    of_sticks(&mut errors, steps);
+    adjust(&mut errors, steps);
     errors
 }
 
@@ -81,8 +86,28 @@ fn error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
     Some(change * rate / (1.0 - rate))
 }
 
-/// The extents of stick and slip are those of nodes, which hide small changes. They are off by the part of stick by which friction is off.
-fn of_sticks(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
+/// What a step leaves of forces stays in the steps that follow it, at least [`KEPT`] of it: their own changes may vanish by chance.
+fn keep_forces(errors: &mut Table) {
+    for step in 1..errors.len() {
+        for edge in 0..errors[step].len() {
+            let before = errors[step - 1].get(edge).cloned().unwrap_or_default();
+            let own = &errors[step][edge];
+            let joined = Errors::of(|stated| match stated {
+                Stated::FrictionForce | Stated::NormalForce => Some(
+                    own.get(stated)?
+                        .max(KEPT * before.get(stated).unwrap_or(0.0)),
+                ),
+                _ => own.get(stated),
+            });
+            errors[step][edge] = joined;
+        }
+    }
+}
+
+/// The friction force takes [`FRICTION`] times its error. The extents of stick and slip are those of nodes, which hide small changes: they are off by the part of stick by
+/// which friction is off.
+fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
+    keep_forces(errors);
     for (errors, step) in errors.iter_mut().zip(steps) {
         for (errors, edge) in errors.iter_mut().zip(step) {
             let force = errors.get(Stated::FrictionForce);
@@ -99,6 +124,7 @@ fn of_sticks(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
                     let stick = errors.get(Stated::StickExtent).unwrap_or(0.0);
                     Some(errors.get(stated)?.max(ends * stick.max(part * extent)))
                 }
+                Stated::FrictionForce => Some(FRICTION * force?),
                 _ => errors.get(stated),
             });
         }
