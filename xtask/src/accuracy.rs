@@ -23,8 +23,10 @@ use stickslip::scene::{Format, Scene};
 use draw::Draw;
 use tally::Tally;
 
+/// Cases of a quick count.
+pub(crate) const FEW: usize = 50;
 /// Accuracies that are asked for.
-const ASKED: [f64; 3] = [0.05, 0.01, 0.001];
+pub(crate) const ASKED: [f64; 3] = [0.05, 0.01, 0.001];
 /// Most increments of a step of the truth.
 const FINEST: usize = 128;
 /// How many times as many increments the truth has.
@@ -32,7 +34,7 @@ const FINER: usize = 8;
 /// Numbers that follow from equilibrium to rounding.
 const BALANCED: [Stated; 3] = [Stated::Bearing, Stated::ResultantX, Stated::ResultantY];
 /// Least share of numbers within their stated error.
-const COVERAGE: f64 = 0.95;
+pub(crate) const COVERAGE: f64 = 0.95;
 
 #[derive(Debug, Args)]
 pub(crate) struct Options {
@@ -55,39 +57,54 @@ pub(crate) struct Options {
 
 /// Solves the cases and prints the table; whether enough errors hold the truth.
 pub(crate) fn main(options: &Options) -> Result<bool, Box<dyn Error + Send + Sync>> {
-    let count = options
-        .cases
-        .unwrap_or(if options.quick { 50 } else { 500 });
-    let mut rng = StdRng::seed_from_u64(options.seed);
-    let mut tally = Tally::default();
-    let draws: Vec<Draw> = (0..count).map(|_| Draw::new(&mut rng)).collect();
-    let asked = |case: usize| {
-        if options.quick {
-            ASKED[case % 2]
-        } else {
-            ASKED[case % 3]
-        }
-    };
-    let compared = draws.par_iter().enumerate();
-    let compared: Vec<_> = compared.map(|(k, draw)| compare(draw, asked(k))).collect();
-    for (case, (compared, draw)) in compared.into_iter().zip(&draws).enumerate() {
-        let misses = match compared {
-            Ok(compared) => tally.add(&compared, asked(case)),
-            Err(why) => tally.failed(case, &why),
-        };
-        if let (Some(folder), false) = (&options.misses, misses.is_empty()) {
+    let few = options.quick;
+    let count = options.cases.unwrap_or(if few { FEW } else { 500 });
+    let asked = if few { &ASKED[..2] } else { &ASKED[..] };
+    let mut written = Ok(());
+    let tally = counted(count, options.seed, asked, |case, draw, asked, misses| {
+        if let Some(folder) = &options.misses {
             let path = folder.join(format!("case-{case}.toml"));
-            fs::create_dir_all(folder)?;
-            fs::write(&path, &draw.text).map_err(|error| format!("{}: {error}", path.display()))?;
-            println!("{}, {} asked:\n{misses}", path.display(), asked(case));
+            println!("{}, {asked} asked:\n{misses}", path.display());
+            let put = || {
+                fs::create_dir_all(folder)?;
+                fs::write(&path, &draw.text)
+            };
+            written = std::mem::replace(&mut written, Ok(()))
+                .and_then(|()| put().map_err(|error| format!("{}: {error}", path.display())));
         }
-    }
+    });
+    written?;
     let text = tally.text(count, options.seed);
     println!("{text}");
     if let Some(path) = &options.output {
         fs::write(path, &text).map_err(|error| format!("{}: {error}", path.display()))?;
     }
     Ok(tally.is_good(COVERAGE))
+}
+
+/// Solves `count` random cases to the accuracies `asked` in turn; hands those with misses to `missed`, with what they miss.
+pub(crate) fn counted(
+    count: usize,
+    seed: u64,
+    asked: &[f64],
+    mut missed: impl FnMut(usize, &Draw, f64, &str),
+) -> Tally {
+    let mut rng = StdRng::seed_from_u64(seed);
+    let draws: Vec<Draw> = (0..count).map(|_| Draw::new(&mut rng)).collect();
+    let asked = |case: usize| asked[case % asked.len()];
+    let compared = draws.par_iter().enumerate();
+    let compared: Vec<_> = compared.map(|(k, draw)| compare(draw, asked(k))).collect();
+    let mut tally = Tally::default();
+    for (case, (compared, draw)) in compared.into_iter().zip(&draws).enumerate() {
+        let misses = match compared {
+            Ok(compared) => tally.add(&compared, asked(case)),
+            Err(why) => tally.failed(case, &why),
+        };
+        if !misses.is_empty() {
+            missed(case, draw, asked(case), &misses);
+        }
+    }
+    tally
 }
 
 /// What the answer to a draw says, beside a finer one.

@@ -32,6 +32,7 @@ mod render;
 mod rigid_pin;
 mod sensitivity;
 mod shear_sign;
+mod stated_errors;
 
 use clap::Args;
 use serde::Deserialize;
@@ -66,7 +67,7 @@ pub(crate) struct Options {
 type Checker = fn(&Laboratory) -> Result<Vec<Check>, TaskError>;
 
 /// What makes the checks of each case, in the order of `cases.toml`.
-const CHECKERS: [(&str, Checker); 24] = [
+const CHECKERS: [(&str, Checker); 25] = [
     ("elements", elements::checks),
     ("open-hole", open_hole::checks),
     ("cosine-load", cosine_load::checks),
@@ -91,6 +92,7 @@ const CHECKERS: [(&str, Checker); 24] = [
     ("shear-sign", shear_sign::checks),
     ("benchmark-frictionless", benchmark::frictionless),
     ("benchmark-friction", benchmark::frictional),
+    ("stated-errors", stated_errors::checks),
 ];
 
 /// Something known, and the scenes that should reproduce it.

@@ -19,7 +19,7 @@ characteristic = { tension = "0.5 mm", compression = "1 mm" }
 "#;
 
 /// A scene without a mesh.
-pub(super) struct Draw {
+pub(crate) struct Draw {
     pub(super) text: String,
     /// Whether the program chooses the geometry on which contact is found.
     pub(super) chooses_kinematics: bool,

@@ -12,7 +12,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// The numbers of all cases.
 #[derive(Default)]
-pub(super) struct Tally {
+pub(crate) struct Tally {
     rows: BTreeMap<(&'static str, bool), Row>,
     asked: BTreeMap<u64, [usize; 3]>,
     failures: Vec<String>,
@@ -87,10 +87,23 @@ impl Tally {
 
     /// Whether the stated errors hold in at least the share `least` of all numbers that are decided.
     pub(super) fn is_good(&self, least: f64) -> bool {
-        let [held, missed] = self.rows.values().fold([0, 0], |[held, missed], row| {
-            [held + row.held, missed + row.missed]
-        });
-        held as f64 >= least * (held + missed) as f64
+        let (held, decided) = self.total();
+        held as f64 >= least * decided as f64
+    }
+
+    /// How many numbers lie within their error, of how many.
+    pub(crate) fn total(&self) -> (usize, usize) {
+        let sum =
+            |sum: (usize, usize), row: &Row| (sum.0 + row.held, sum.1 + row.held + row.missed);
+        self.rows.values().fold((0, 0), sum)
+    }
+
+    /// The same of each number, loading and unloading apart, by their names.
+    pub(crate) fn shares(&self) -> impl Iterator<Item = (String, usize, usize)> {
+        self.rows.iter().map(|((name, unloading), row)| {
+            let name = format!("{name}, {}", steps(*unloading));
+            (name, row.held, row.held + row.missed)
+        })
     }
 
     /// The tables in Markdown.
@@ -100,7 +113,7 @@ impl Tally {
         for ((name, unloading), row) in &self.rows {
             let decided = row.held + row.missed;
             let share = 100.0 * row.held as f64 / decided.max(1) as f64;
-            let steps = if *unloading { "unloading" } else { "loading" };
+            let steps = steps(*unloading);
             // Writing into a string does not fail.
             let _ = writeln!(
                 text,
@@ -124,6 +137,10 @@ impl Tally {
         }
         text
     }
+}
+
+fn steps(unloading: bool) -> &'static str {
+    if unloading { "unloading" } else { "loading" }
 }
 
 /// A ratio, without digits where numbers agree to rounding.
