@@ -15,6 +15,9 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let tally = counted(count, SEED, &ASKED[..2], |_, _, _, _| {});
     let mut checks = Checks::against("finest nodes, eight times as many increments");
     let (held, decided) = tally.total();
+    if decided == 0 {
+        return Err("no number of the random pins is decided".into());
+    }
     let share = |held: usize, decided: usize| {
         let share = 100.0 * held as f64 / decided.max(1) as f64;
         format!("{share:.1} % of {decided}")

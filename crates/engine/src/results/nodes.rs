@@ -28,12 +28,11 @@ impl Nodes {
     pub(crate) fn around(&self, at: f64) -> [usize; 2] {
         let next = self.parameter.partition_point(|own| *own < at);
         let last = self.count() - 1;
-        match self.closed {
-            Some(_) => [(next + last) % self.count(), next % self.count()],
-            None => {
-                let to = next.clamp(1, last.max(1));
-                [to - 1, to.min(last)]
-            }
+        if self.closed.is_some() {
+            [(next + last) % self.count(), next % self.count()]
+        } else {
+            let to = next.clamp(1, last.max(1));
+            [to - 1, to.min(last)]
         }
     }
 
@@ -130,4 +129,84 @@ pub(crate) fn values(row: &EdgeRow) -> Values {
 
 pub(crate) fn joined(one: Values, other: Values, join: impl Fn(f64, f64) -> f64) -> Values {
     std::array::from_fn(|k| join(one[k], other[k]))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use stickslip_contact::Status;
+
+    use super::*;
+
+    fn row(value: f64, status: Status) -> EdgeRow {
+        EdgeRow {
+            pressure: value,
+            shear: -value,
+            gap: 0.0,
+            slip: 0.0,
+            status,
+            sigma_normal: 0.0,
+            sigma_tangential: 2.0 * value,
+            tau: 0.0,
+        }
+    }
+
+    fn open(parameter: &[f64]) -> Nodes {
+        Nodes {
+            parameter: parameter.to_vec(),
+            closed: None,
+        }
+    }
+
+    /// Exact for cubic polynomials between nodes of one status; linear across a change.
+    #[test]
+    fn values_between_nodes_are_those_of_a_cubic() {
+        let at = [0.0, 0.3, 0.7, 1.2, 1.5, 2.1];
+        let cubic = |x: f64| 1.0 - x + 0.5 * x * x * x;
+        let rows: Vec<EdgeRow> = (at.iter()).map(|&x| row(cubic(x), Status::Stick)).collect();
+        let nodes = open(&at);
+        for place in [0.45, 0.7, 1.0, 1.3] {
+            let [pressure, shear, stress] = nodes.interpolated(&rows, place);
+            assert!((pressure - cubic(place)).abs() < 1e-13);
+            assert!((shear + cubic(place)).abs() < 1e-13);
+            assert!((stress - 2.0 * cubic(place)).abs() < 1e-13);
+        }
+        let mut rows = rows;
+        rows[3].status = Status::Open;
+        let [pressure, ..] = nodes.interpolated(&rows, 0.5);
+        assert!((pressure - 0.5 * (cubic(0.3) + cubic(0.7))).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_closed_edge_goes_on_across_its_start() {
+        let parameter: Vec<f64> = (0..12).map(|k| TAU / 12.0 * f64::from(k)).collect();
+        let rows: Vec<EdgeRow> = (parameter.iter())
+            .map(|at| row(at.cos(), Status::Open))
+            .collect();
+        let nodes = Nodes {
+            parameter,
+            closed: Some(TAU),
+        };
+        assert_eq!(nodes.around(TAU - 0.1), [11, 0]);
+        assert!((nodes.spacing(TAU - 0.1) - TAU / 12.0).abs() < 1e-12);
+        let [pressure, ..] = nodes.interpolated(&rows, TAU - 0.1);
+        assert!((pressure - 0.1_f64.cos()).abs() < 2e-3, "{pressure}");
+        let errors: Vec<Values> = (0..12).map(|k| [f64::from(k); 3]).collect();
+        assert_eq!(nodes.largest_near(&errors, 0, 0.6), [11.0; 3]);
+        assert_eq!(nodes.largest_near(&errors, 3, 0.6), [4.0; 3]);
+    }
+
+    /// The ends of an open edge have neighbours on one side.
+    #[test]
+    fn an_open_edge_ends() {
+        let nodes = open(&[0.0, 1.0, 3.0]);
+        assert_eq!(nodes.around(0.0), [0, 1]);
+        assert_eq!(nodes.around(3.5), [1, 2]);
+        assert!((nodes.spacing(0.0) - 1.0).abs() < 1e-15);
+        let errors = [[5.0; 3], [1.0; 3], [2.0; 3]];
+        assert_eq!(nodes.largest_near(&errors, 2, 2.0), [2.0; 3]);
+        assert_eq!(nodes.largest_near(&errors, 2, 10.0), [5.0; 3]);
+        assert_eq!(nodes.largest_near(&errors, 0, 0.5), [5.0; 3]);
+    }
 }

@@ -401,6 +401,7 @@ mod tests {
             normal_force: _,
             friction_work: _,
             errors: _,
+            row_errors: _,
         } = EdgeResults::default();
     }
 }

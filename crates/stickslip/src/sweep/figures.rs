@@ -122,6 +122,9 @@ fn row_title(axis: &Axis) -> String {
     }
 }
 
+/// The load of a case, with its error.
+type LoadOf<'a> = &'a dyn Fn(&Row) -> Option<(f64, Option<f64>)>;
+
 type Picture = Option<Result<(Svg, String), FigureError>>;
 
 impl View<'_> {
@@ -238,7 +241,7 @@ impl View<'_> {
             self.sweep.title,
             self.conditions()
         ));
-        let curve = |y, load: &dyn Fn(&Row) -> Option<(f64, Option<f64>)>| {
+        let curve = |y, load: LoadOf<'_>| {
             let points = numbers.iter().enumerate().filter_map(|(x, &number)| {
                 let (load, error) = load(self.row(Some(x), y)?)?;
                 let error = error.unwrap_or(0.0);

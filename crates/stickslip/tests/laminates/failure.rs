@@ -49,6 +49,37 @@ fn a_coupon_fails_where_lamination_theory_says() {
     }
 }
 
+/// Without a mesh loads, indices and places of failing plies have errors, which hold what a finer answer finds; with a mesh they have none.
+#[test]
+fn failing_plies_have_errors_where_an_accuracy_is_sought() {
+    let free = PIN.replace("[mesh]\nspacing = \"6 deg\"\n", "");
+    let [found, finer] = ["5 %", "0.5 %"].map(|accuracy| {
+        let accuracy = format!("analysis.accuracy=\"{accuracy}\"");
+        solved(&free, &[&accuracy])
+    });
+    let [own, better] = [&found, &finer].map(|results| &results.failure[0]);
+    for k in 0..own.criteria.len() {
+        let (own, better) = (first(&found, k), first(&finer, k));
+        let [error, doubt] = [&own, &better].map(|first| first.load_error.unwrap());
+        assert!((load(&own) - load(&better)).abs() <= error + doubt);
+        let [error, doubt] = [&own, &better].map(|first| first.at.errors.unwrap().place);
+        let apart = [0, 1].map(|axis| own.at.position[axis] - better.at.position[axis]);
+        assert!(apart[0].hypot(apart[1]) <= error + doubt);
+    }
+    let steps = own
+        .steps
+        .iter()
+        .flatten()
+        .zip(better.steps.iter().flatten());
+    for (own, better) in steps {
+        let [errors, doubts] = [own, better].map(|point| point.errors.unwrap());
+        let apart = (own.index - better.index).abs();
+        assert!(apart <= errors.index.unwrap() + doubts.index.unwrap());
+    }
+    let meshed = solved(PIN, &[] as &[&str]);
+    assert!(first(&meshed, 0).load_error.is_none() && first(&meshed, 0).at.errors.is_none());
+}
+
 #[test]
 fn stresses_in_the_plies_are_those_of_lamination_theory() {
     let changes = [

@@ -53,6 +53,47 @@ fn slip_resultant_and_work_lie_within_their_errors() {
     }
 }
 
+/// Tractions and stresses at nodes lie within their errors of those of a finer answer, but for single nodes beside ends of zones.
+#[test]
+fn tractions_lie_within_their_errors() {
+    let (found, truth) = (found("\"3 %\""), found("\"0.5 %\""));
+    let (geometry, finer) = (&found.edges[0], &truth.edges[0]);
+    let (mut within, mut all) = (0, 0);
+    for (step, truth) in found.steps.iter().zip(&truth.steps) {
+        let (edge, truth) = (&step.edges[0], &truth.edges[0]);
+        assert_eq!(edge.row_errors.len(), edge.rows.len());
+        let rows = edge.rows.iter().zip(&edge.row_errors);
+        for ((row, errors), &place) in rows.zip(&geometry.parameter) {
+            let own = [row.pressure, row.shear, row.sigma_tangential];
+            let errors = [errors.pressure, errors.shear, errors.sigma_tangential];
+            let exact = finer.values_at(&truth.rows, place);
+            for number in 0..3 {
+                all += 1;
+                let apart = (own[number] - exact[number]).abs();
+                within += usize::from(apart <= errors[number] + 1e-9);
+            }
+        }
+        // Where there is no contact there is no doubt of that, away from its ends.
+        let far = edge.row_errors.last().unwrap();
+        assert_eq!([far.pressure, far.shear], [0.0; 2]);
+        assert!(far.sigma_tangential > 0.0);
+    }
+    assert!(within as f64 >= 0.97 * f64::from(all), "{within} of {all}");
+}
+
+/// Without friction no force depends on which way points slip.
+#[test]
+fn slip_without_friction_has_no_error() {
+    let changes = [
+        "contacts.0.friction.coulomb.mu=0",
+        "analysis.accuracy=\"2 %\"",
+    ];
+    let found = solved(&PIN.replace("substeps = 1\n", ""), &changes);
+    let edge = &found.steps[0].edges[0];
+    assert!(edge.errors.get(Stated::SlipAway).is_none());
+    assert!(edge.errors.get(Stated::PeakPressure).is_some());
+}
+
 /// Works of single contacts are those of the step, and while loading contact slips wherever it does not stick.
 #[test]
 fn extents_and_works_add_up() {

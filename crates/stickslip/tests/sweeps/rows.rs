@@ -146,6 +146,8 @@ fn numbers_without_a_mesh_have_their_errors() {
         "contact_half_angle [deg],contact_half_angle_error [deg]",
         "peak_hoop [MPa],peak_hoop_error [MPa]",
         "peak_hoop_angle [deg],peak_hoop_angle_error [deg]",
+        "first_ply_load [N],first_ply_load_error [N]",
+        "joint_load [N],joint_load_error [N]",
     ] {
         assert!(head.contains(name), "{head}");
     }

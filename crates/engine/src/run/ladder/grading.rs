@@ -15,16 +15,13 @@ use super::numbers::Numbers;
 const GROWTH: f64 = 0.4;
 /// Extent of contact that coarse nodes resolve as wanted `[rad]`.
 const WIDE: f64 = 2.0;
-/// Rungs from which coarse spacings are divided by less than two.
-const HALVED: usize = 2;
 /// Steps of the integral per fine spacing.
 const POINTS: f64 = 4.0;
 
-/// Spacings of nodes `[rad]` of the model `rung`, fine and coarse, where those of the first are `widest`. The fine ones are divided by four from rung to rung, for there
-/// errors fall with the root of the spacing; the coarse ones, where they fall with its square, twice by two and then by √2.
+/// Spacings of nodes `[rad]` of the model `rung`, fine and coarse, where those of the first are `widest`: from rung to rung a quarter and half of it, for errors fall
+/// with the root of the one and the square of the other.
 pub(super) fn spacings(widest: f64, rung: usize) -> [f64; 2] {
-    let halvings = rung.min(HALVED) as f64 + 0.5 * rung.saturating_sub(HALVED) as f64;
-    [widest / 4.0_f64.powi(rung as i32), widest / halvings.exp2()]
+    [4.0, 2.0_f64].map(|ratio| widest / ratio.powi(rung as i32))
 }
 
 /// Angles from 0 to π of a half model, or all around, there those of places and their images if `mirrored`; `fine` and `coarse` are spacings `[rad]`, places are

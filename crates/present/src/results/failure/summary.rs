@@ -64,9 +64,12 @@ struct Point<'a> {
 
 #[derive(Debug, Serialize)]
 struct PointErrors {
-    index_error: Option<f64>,
-    reserve_factor_error: Option<f64>,
-    place_error: Quantity,
+    #[serde(rename = "index_error")]
+    index: Option<f64>,
+    #[serde(rename = "reserve_factor_error")]
+    reserve_factor: Option<f64>,
+    #[serde(rename = "place_error")]
+    place: Quantity,
 }
 
 #[derive(Debug, Serialize)]
@@ -191,9 +194,9 @@ fn point<'a>(view: &FailureView<'a>, at: &'a FailurePoint) -> Point<'a> {
         reserve_factor: tidy(at.reserve_factor),
         margin: tidy(at.reserve_factor - 1.0),
         errors: at.errors.map(|errors| PointErrors {
-            index_error: errors.index.and_then(tidy),
-            reserve_factor_error: errors.reserve_factor.and_then(tidy),
-            place_error: length(view, errors.place),
+            index: errors.index.and_then(tidy),
+            reserve_factor: errors.reserve_factor.and_then(tidy),
+            place: length(view, errors.place),
         }),
     }
 }
