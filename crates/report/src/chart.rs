@@ -332,12 +332,16 @@ impl LineChart {
         let frame = &layout.frame;
         layout.heading.draw(&mut canvas, [OUTER, OUTER]);
         layout.annotations.draw_bands(&mut canvas, frame);
+        if self.series.iter().any(|series| !series.margin.is_empty()) {
+            canvas.clipped(&frame.area, |canvas| {
+                for (index, series) in self.series.iter().enumerate() {
+                    curves::draw_margin(canvas, frame, series, self.color_of(index));
+                }
+            });
+        }
         frame.draw_grid(&mut canvas);
         layout.annotations.draw_lines(&mut canvas, frame);
         canvas.clipped(&frame.area, |canvas| {
-            for (index, series) in self.series.iter().enumerate() {
-                curves::draw_margin(canvas, frame, series, self.color_of(index));
-            }
             for (index, series) in self.series.iter().enumerate() {
                 curves::draw_line(canvas, frame, series, self.color_of(index));
                 curves::draw_spread(canvas, frame, series, self.color_of(index));

@@ -260,6 +260,35 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
     ));
 }
 
+/// The band of a margin is a closed path below the curve, in a tint of its colour; one that cannot be seen is not drawn, and the axis has room for it.
+#[test]
+fn margins_are_bands() {
+    let points = vec![[0.0, 1.0], [1.0, 2.0], [2.0, 1.5]];
+    let with = |width: f64| {
+        let margin = points.iter().map(|[_, y]| [y - width, y + width]);
+        let series = Series::new("curve", points.clone()).margin(margin.collect());
+        let chart = LineChart::new("", Axis::linear("x"), Axis::linear("y"));
+        chart.with(series.color(Color::rgb(0, 0, 200)))
+    };
+    let bands = |width: f64| {
+        let tint = Color::rgb(0, 0, 200).tint(0.3).to_string();
+        let picture = with(width).render().unwrap();
+        let document = parsed(&picture);
+        let paths = document.descendants().filter(|node| {
+            node.has_tag_name("path") && node.attribute("fill") == Some(tint.as_str())
+        });
+        paths
+            .filter(|node| node.attribute("d").is_some_and(|data| data.ends_with('z')))
+            .count()
+    };
+    assert_eq!([bands(0.4), bands(1e-5)], [1, 0]);
+    let reaches_four = |width: f64| {
+        let picture = with(width).render().unwrap();
+        texts(&parsed(&picture)).iter().any(|text| text == "4")
+    };
+    assert!(reaches_four(3.0) && !reaches_four(0.1));
+}
+
 #[test]
 fn panels_line_up() {
     let small = chart(vec![[0.0, 0.0], [1.0, 1.0]])

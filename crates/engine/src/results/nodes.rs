@@ -1,12 +1,12 @@
 //! Between the nodes of an edge.
 
-use super::{EdgeGeometry, EdgeRow};
+use super::{EdgeGeometry, EdgeRow, RowErrors};
 
 /// Pressure, shear and σ_t `[MPa]` of a node, or their errors.
 pub(crate) type Values = [f64; 3];
 
 /// Where the nodes of an edge are.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub(crate) struct Nodes {
     pub(crate) parameter: Vec<f64>,
     closed: Option<f64>,
@@ -26,6 +26,10 @@ impl Nodes {
 
     /// The nodes on both sides of a place.
     pub(crate) fn around(&self, at: f64) -> [usize; 2] {
+        let first = self.parameter[0];
+        let at = self
+            .closed
+            .map_or(at, |length| first + (at - first).rem_euclid(length));
         let next = self.parameter.partition_point(|own| *own < at);
         let last = self.count() - 1;
         if self.closed.is_some() {
@@ -42,34 +46,30 @@ impl Nodes {
         self.closed.map_or(apart, |length| apart.rem_euclid(length))
     }
 
-    /// How far apart the nodes on both sides of a place are.
+    /// How far apart the nodes on both sides of a place are; at a node the longer of its two distances.
     pub(crate) fn spacing(&self, at: f64) -> f64 {
         let [from, to] = self.around(at);
-        self.ahead(from, self.parameter[to])
+        let own = self.ahead(from, self.parameter[to]);
+        let next = match self.closed {
+            Some(_) => (to + 1) % self.count(),
+            None => (to + 1).min(self.count() - 1),
+        };
+        let beyond = self.ahead(to, self.parameter[next]);
+        let is_node = self.ahead(from, at) >= own * (1.0 - 1e-9);
+        if is_node { own.max(beyond) } else { own }
     }
 
     /// The largest errors of nodes no farther from the node `k` than `reach`.
     pub(crate) fn largest_near(&self, errors: &[Values], k: usize, reach: f64) -> Values {
-        let count = self.count();
-        let mut largest = errors[k];
-        let ahead = (1..count).map(|step| k + step);
-        let back = (1..count).map(|step| k + count - step);
-        let is_inside = |node: usize| self.closed.is_some() || (count..2 * count).contains(&node);
-        // Open edges are counted from the second period, so that walks leave it at their ends.
-        let shift = if self.closed.is_some() { 0 } else { count };
-        for node in ahead.take_while(|node| is_inside(node + shift)) {
-            if self.ahead(k, self.parameter[node % count]) > reach {
-                break;
-            }
-            largest = joined(largest, errors[node % count], f64::max);
-        }
-        for node in back.take_while(|node| is_inside(*node)) {
-            if self.ahead(node % count, self.parameter[k]) > reach {
-                break;
-            }
-            largest = joined(largest, errors[node % count], f64::max);
-        }
-        largest
+        let apart = |node: usize| {
+            let ahead = self.ahead(k, self.parameter[node]).abs();
+            self.closed
+                .map_or(ahead, |length| ahead.min(length - ahead))
+        };
+        let near = (0..self.count()).filter(|&node| apart(node) <= reach);
+        near.fold(errors[k], |largest, node| {
+            joined(largest, errors[node], f64::max)
+        })
     }
 
     /// The values of `rows` at a place.
@@ -120,6 +120,15 @@ impl EdgeGeometry {
     /// one status, and linear elsewhere.
     pub fn values_at(&self, rows: &[EdgeRow], place: f64) -> [f64; 3] {
         Nodes::of(self).interpolated(rows, place)
+    }
+
+    /// The larger errors of the nodes on both sides of a `place` of the edge's parameter, in the same order; `None` where none were estimated.
+    pub fn errors_at(&self, errors: &[RowErrors], place: f64) -> Option<[f64; 3]> {
+        let [one, other] = Nodes::of(self).around(place).map(|node| {
+            let own = errors.get(node)?;
+            Some([own.pressure, own.shear, own.sigma_tangential])
+        });
+        Some(joined(one?, other?, f64::max))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The ladder: finer and finer models of a scene until the estimated errors meet what is asked.
 //!
 //! Errors have three parts: that of the [`division`], that of the load [`path`], and where the geometry is left to the program and contact is found on the
-//! undeformed one, [`geometry::FACTOR`] times the difference that deformed gaps make on a coarse model.
+//! undeformed one, a multiple of the difference that deformed gaps make on a coarse model, of elements on the last one.
 //!
 //! docs/accuracy.md shows how often the truth lies within.
 
@@ -17,7 +17,7 @@ mod path;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{Accuracy, Budget, KinematicsChoice};
+use stickslip_scene::schema::{Accuracy, Budget, FieldOutput, KinematicsChoice};
 
 use self::along::Along;
 use self::geometry::Geometry;
@@ -69,7 +69,7 @@ pub(super) fn climb(
     let coarse = (climb.models).level(base.rung - 1, &base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
-        let mut errors = climb.errors(&levels, &path, &model);
+        let errors = climb.errors(&levels, &path, &model);
         let end = climb.end(&levels, &errors);
         let next = match (end, levels.last()) {
             (None, Some(last)) => {
@@ -81,12 +81,10 @@ pub(super) fn climb(
         };
         let Some(level) = next else {
             let end = end.unwrap_or(LadderEnd::Finest);
-            if climb.compare_geometries(&levels, &mut model, progress) {
-                errors = climb.errors(&levels, &path, &model);
-            }
             return climb.finish(levels, errors, &path, &model, end);
         };
         levels.push(level);
+        climb.renew(&levels, &mut model, progress);
     }
 }
 
@@ -112,25 +110,23 @@ impl Climb<'_> {
         sum(&sum(&divided, &path.numbers), &geometry.errors)
     }
 
-    /// Renews what deformed gaps may change by the last of `levels`, if its operators make that cheap: those of elements, whose first model may have three
-    /// nodes in contact. Whether it did.
-    fn compare_geometries(
+    /// Renews what deformed gaps may change by the last of `levels`, which was just solved, if its operators make that cheap: those of elements, whose first
+    /// model may have three nodes in contact.
+    fn renew(
         &mut self,
         levels: &[Level],
         geometry: &mut Geometry,
         progress: &mut dyn FnMut(Progress),
-    ) -> bool {
-        let (Some(last), false) = (levels.last(), self.models.is_graded()) else {
-            return false;
+    ) {
+        let last = levels.last().filter(|_| !self.models.is_graded());
+        let Some(last) = last.filter(|_| !geometry.errors.is_empty()) else {
+            return;
         };
-        if geometry.errors.is_empty() {
-            return false;
-        }
-        let deformed = self.deformed(last, progress);
-        if let Ok(deformed) = &deformed {
+        if let Ok(deformed) = self.deformed(last, progress) {
             geometry.renew(&last.numbers, &deformed.numbers);
+            let worst = worst(&last.numbers, &geometry.errors, self.bounds());
+            geometry.reason = Geometry::reason(worst.map(Worst::named), false);
         }
-        deformed.is_ok()
     }
 
     /// The model of `small` with deformed gaps.
@@ -294,7 +290,7 @@ impl Climb<'_> {
         geometry: &Geometry,
         end: LadderEnd,
     ) -> Result<Results, RunError> {
-        let along = Along::of_division(&numbers(&levels));
+        let along = Along::of_division(&numbers(&levels), self.models.spaced());
         let along = along.and(&path.along).and(&geometry.along);
         let Some(last) = levels.pop() else {
             return super::run_with(self.scene, self.models.solver(), &mut |_| {});
@@ -329,7 +325,8 @@ impl Climb<'_> {
 
     /// What the last two of `levels` say of the failure of bodies, the finer first; of joints that are followed to their end nothing.
     fn failure_before(&self, levels: Vec<Level>) -> Vec<Vec<BodyFailure>> {
-        let failure = |level: Level| {
+        let failure = |mut level: Level| {
+            level.model.request.fields = FieldOutput::None;
             let bodies = &level.model.request.failure.as_ref()?.bodies;
             let followed = bodies.iter().any(|body| body.progressive.is_some());
             let bodies: Vec<usize> = bodies.iter().map(|body| body.body).collect();

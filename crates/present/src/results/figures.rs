@@ -219,6 +219,13 @@ fn zone_bands(view: &EdgeView<'_>, step: usize) -> Vec<Band> {
         .collect()
 }
 
+/// What bands around curves are, for captions.
+fn margin_remark(view: &EdgeView<'_>) -> Option<String> {
+    let mut steps = view.results().steps.iter();
+    let known = steps.any(|step| step.edges.iter().any(|edge| !edge.row_errors.is_empty()));
+    known.then(|| "Bands around curves are estimated errors.".to_owned())
+}
+
 /// What a half model shows, for captions.
 fn half_remark(view: &EdgeView<'_>) -> Option<String> {
     let remark = "One half is modelled; the other is its mirror image.";

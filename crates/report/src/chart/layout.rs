@@ -251,6 +251,12 @@ fn spans(chart: &LineChart) -> Result<[Span; 2], FigureError> {
             .filter(|point| x.contains(point[0]))
             .map(|p| p[1])
     });
+    let margins = chart.series.iter().flat_map(|series| {
+        let pairs = series.points.iter().zip(&series.margin);
+        let inside = pairs.filter(|(point, _)| x.contains(point[0]));
+        inside.flat_map(|(_, margin)| *margin)
+    });
+    let shown = shown.chain(margins);
     let y = chart
         .y
         .span(shown.chain(fixed(Direction::Horizontal)), Padding::Loose)?;

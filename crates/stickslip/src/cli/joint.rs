@@ -307,13 +307,14 @@ fn summary(sweep: &Sweep, rows: &[Row], account: &Account) -> Value {
 }
 
 /// A minimum along an axis, for programs.
-fn minimum(sweep: &Sweep, own: &Minimum) -> Value {
+fn minimum(sweep: &Sweep, own: &Minimum<'_>) -> Value {
     json!({
         "number": own.number,
         "axis": sweep.axes[own.axis].key.name(),
         "case": own.case,
         "value": own.value[0],
         "error": own.value[1],
+        "unit": own.unit,
         "within_error_of_a_neighbour": own.is_open,
     })
 }

@@ -284,9 +284,14 @@ impl View<'_> {
         if !first_plies {
             chart.subtitle = Some(format!("{}{}", self.sweep.title, self.conditions()));
         }
+        let bands = if self.sweep.states_errors() {
+            " Bands around curves are estimated errors."
+        } else {
+            ""
+        };
         let caption = format!(
             "Load at which the joint fails on its characteristic curve (solid) and at which its first ply fails anywhere (dashed), over \
-             {}{}.",
+             {}{}.{bands}",
             x_axis.symbol(),
             self.conditions()
         );

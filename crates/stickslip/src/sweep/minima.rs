@@ -11,7 +11,7 @@ use super::row::{Measures, Row};
 /// A number with its error.
 type Stated = fn(&Measures) -> Option<[f64; 2]>;
 
-/// The numbers whose minima are looked for, by the names of their columns.
+/// The numbers whose minima are looked for, by the names of their columns; of loads the magnitudes.
 const NUMBERS: [(&str, Stated); 4] = [
     ("peak_pressure", |own| {
         Some([own.peak_pressure?, own.errors.peak_pressure?])
@@ -21,17 +21,17 @@ const NUMBERS: [(&str, Stated); 4] = [
     }),
     ("first_ply_load", |own| {
         let first = own.first_ply.as_ref()?;
-        Some([first.load?, first.load_error?])
+        Some([first.load?.abs(), first.load_error?])
     }),
     ("joint_load", |own| {
         let joint = own.joint.as_ref()?;
-        Some([joint.load?, joint.load_error?])
+        Some([joint.load?.abs(), joint.load_error?])
     }),
 ];
 
 /// The least value of a number along an axis, away from its ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Minimum {
+pub struct Minimum<'a> {
     /// Column of the number.
     pub number: &'static str,
     /// Index of the axis.
@@ -40,12 +40,14 @@ pub struct Minimum {
     pub case: usize,
     /// Value and error, in the unit of the column.
     pub value: [f64; 2],
+    /// Unit of the column.
+    pub unit: &'a str,
     /// Whether a neighbour may be as low, by the errors of both.
     pub is_open: bool,
 }
 
 /// The minima of all numbers with errors along all axes with numbers, those of one axis together.
-pub fn minima(sweep: &Sweep, rows: &[Row]) -> Vec<Minimum> {
+pub fn minima<'a>(sweep: &'a Sweep, rows: &[Row]) -> Vec<Minimum<'a>> {
     let by_case: BTreeMap<usize, &Row> = rows.iter().map(|row| (row.case, row)).collect();
     let mut found = Vec::new();
     for (axis, own) in sweep.axes.iter().enumerate() {
@@ -56,9 +58,12 @@ pub fn minima(sweep: &Sweep, rows: &[Row]) -> Vec<Minimum> {
         order.sort_by(|&a, &b| numbers[a].total_cmp(&numbers[b]));
         let starts = (0..sweep.cases()).filter(|&case| sweep.values_of(case)[axis] == order[0]);
         for start in starts {
-            let line: Vec<&Row> = (order.iter())
-                .filter_map(|&value| by_case.get(&case_beside(sweep, start, (axis, value))))
-                .copied()
+            let line: Vec<Option<&Row>> = (order.iter())
+                .map(|&value| {
+                    by_case
+                        .get(&case_beside(sweep, start, (axis, value)))
+                        .copied()
+                })
                 .collect();
             found.extend(NUMBERS.iter().filter_map(|&(number, stated)| {
                 let (case, value, is_open) = minimum(&line, stated)?;
@@ -67,6 +72,11 @@ pub fn minima(sweep: &Sweep, rows: &[Row]) -> Vec<Minimum> {
                     axis,
                     case,
                     value,
+                    unit: if number.ends_with("load") {
+                        &sweep.load_unit
+                    } else {
+                        sweep.scene.display.stress.name
+                    },
                     is_open,
                 })
             }));
@@ -83,15 +93,17 @@ fn case_beside(sweep: &Sweep, case: usize, (axis, value): (usize, usize)) -> usi
     digits.fold(0, |case, (axis, value)| axis.values.len() * case + value)
 }
 
-/// Case, value and openness of the least number of a line of cases.
-fn minimum(line: &[&Row], stated: Stated) -> Option<(usize, [f64; 2], bool)> {
-    let values: Vec<(usize, [f64; 2])> = (line.iter())
-        .filter_map(|row| Some((row.case, stated(row.measures()?)?)))
-        .collect();
-    let at = (0..values.len()).min_by(|&a, &b| values[a].1[0].total_cmp(&values[b].1[0]))?;
-    let (case, [value, error]) = values[at];
+/// Case, value and openness of the least number of a line of cases. A neighbour without an answer may be as low.
+fn minimum(line: &[Option<&Row>], stated: Stated) -> Option<(usize, [f64; 2], bool)> {
+    let number = |row: Option<&Row>| stated(row?.measures()?);
+    let values: Vec<Option<[f64; 2]>> = line.iter().copied().map(number).collect();
+    let known = values.iter().enumerate();
+    let known = known.filter_map(|(at, value)| Some((at, (*value)?)));
+    let (at, [value, error]) = known.min_by(|a, b| a.1[0].total_cmp(&b.1[0]))?;
     let neighbours = [values.get(at.checked_sub(1)?)?, values.get(at + 1)?];
-    let as_low = |(_, [other, own]): &(usize, [f64; 2])| value + error >= other - own;
+    let as_low =
+        |other: &Option<[f64; 2]>| other.is_none_or(|[other, own]| value + error >= other - own);
+    let case = line[at]?.case;
     Some((case, [value, error], neighbours.into_iter().any(as_low)))
 }
 
@@ -119,7 +131,7 @@ mod tests {
         let rows: Vec<Row> = (values.iter().enumerate())
             .map(|(case, &[value, error])| row(case, value, error))
             .collect();
-        let line: Vec<&Row> = rows.iter().collect();
+        let line: Vec<Option<&Row>> = rows.iter().map(Some).collect();
         minimum(&line, NUMBERS[0].1).map(|(case, _, is_open)| (case, is_open))
     }
 
@@ -136,5 +148,10 @@ mod tests {
         // At an end it is no minimum of the design.
         assert_eq!(found(&[[1.0, 0.1], [2.0, 0.1], [3.0, 0.1]]), None);
         assert_eq!(found(&[[1.0, 0.1]]), None);
+        // A neighbour without an answer leaves it open.
+        let rows = [row(0, 3.0, 0.1), row(1, 1.0, 0.1)];
+        let line = [Some(&rows[0]), Some(&rows[1]), None];
+        let open = minimum(&line, NUMBERS[0].1).map(|(case, _, is_open)| (case, is_open));
+        assert_eq!(open, Some((1, true)));
     }
 }

@@ -205,11 +205,15 @@ fn case_cells(measures: &Measures) -> [String; 10] {
 /// Where numbers are least along an axis, and whether their errors leave that open.
 fn minima_table(sweep: &Sweep, rows: &[Row]) -> Table {
     let all = minima(sweep, rows);
-    let mut table = Table::headed("", "number | along | least where | value | place");
+    let mut table = Table::headed(
+        "",
+        "number | unit | along | least where | value | by its error",
+    );
     for own in all.iter().take(MOST_ROWS) {
         let [value, error] = own.value;
         table.push([
             own.number.replace('_', " "),
+            own.unit.to_owned(),
             sweep.axes[own.axis].symbol().to_owned(),
             sweep.name_of(own.case),
             format!("{} ± {}", significant(value, 5), significant(error, 2)),
@@ -220,7 +224,13 @@ fn minima_table(sweep: &Sweep, rows: &[Row]) -> Table {
             },
         ]);
     }
-    table
+    if all.len() <= MOST_ROWS {
+        return table;
+    }
+    table.note(format!(
+        "The first {MOST_ROWS} of {} minima; summary.json has all.",
+        all.len()
+    ))
 }
 
 fn unresolved(sweep: &Sweep, rows: &[Row]) -> Table {

@@ -138,9 +138,12 @@ fn open_minima(sweep: &Sweep, rows: &[Row]) -> Option<String> {
     let open = all.iter().filter(|own| own.is_open).count();
     (open > 0).then(|| {
         format!(
-            "{open} of {} minima along an axis {} within the errors of a neighbour.",
-            all.len(),
-            if open == 1 { "lies" } else { "lie" }
+            "Of {} along the axes, {open} may as well lie at a neighbour, by the errors.",
+            if all.len() == 1 {
+                "1 minimum".to_owned()
+            } else {
+                format!("{} minima", all.len())
+            },
         )
     })
 }

@@ -7,15 +7,16 @@
 //! Values of a coarser model are those of cubic polynomials between nodes of one status, and linear elsewhere. To that comes [`PATH`] times what the last
 //! halving of the increments of a load step changed, and what deformed gaps may change.
 
+use super::division::Spaced;
 use super::numbers::Numbers;
 use crate::results::{EdgeGeometry, Nodes, RowErrors, Values, joined, values};
 
-/// k of the module's equation, of pressure, shear and σ_t.
-const DIVISION: [f64; 3] = [1.2, 1.2, 1.6];
+/// k of the module's equation, of pressure, shear and σ_t, with graded nodes and with others.
+const DIVISION: [[f64; 3]; 2] = [[1.2, 1.2, 1.6], [2.5; 3]];
 /// Changes vanish by chance, and most of all where points stick; so much of the largest error along an edge does not.
 const LEAST: f64 = 0.03;
-/// r of the module's equation.
-const RATE: f64 = 0.25;
+/// r of the module's equation, with graded nodes and with others.
+const RATE: [f64; 2] = [0.25, 0.5];
 /// What increments leave, by the change that halving them made.
 const PATH: f64 = 2.0;
 
@@ -28,7 +29,8 @@ pub(super) struct Along {
 
 impl Along {
     /// What the division of the last of `levels` leaves; empty where there is one only.
-    pub(super) fn of_division(levels: &[&Numbers]) -> Self {
+    pub(super) fn of_division(levels: &[&Numbers], spaced: Spaced) -> Self {
+        let kind = usize::from(!spaced.are_graded());
         let [.., coarse, fine] = levels else {
             return Self::default();
         };
@@ -36,19 +38,22 @@ impl Along {
         let sizes = match levels {
             [.., coarser, coarse, _] => {
                 let before = Self::between(coarse, coarser).on(&fine.geometries);
-                last.joined(&before, |last, before| last.max(RATE * before))
+                last.joined(&before, |last, before| last.max(RATE[kind] * before))
             }
             _ => last,
         };
-        sizes.widened(coarse).times_each(DIVISION)
+        sizes.widened(coarse).times_each(DIVISION[kind])
     }
 
-    /// What the load path leaves, after `finer` had twice as many increments as `base` in the steps `halved`; `self` is what was left before.
+    /// What the load path leaves; a step that was not halved keeps what it had, beside what those before it change: after `finer` had twice as many increments as `base` in the steps `halved`; `self` is what was left before.
     pub(super) fn halved(self, finer: &Numbers, base: &Numbers, halved: &[bool]) -> Self {
         let mut left = Self::between(finer, base).times(PATH);
-        let before = self.steps.into_iter().enumerate();
+        let before = self.steps.iter().enumerate();
         for (step, own) in before.filter(|(step, _)| !halved[*step]) {
-            left.steps[step] = own;
+            let edges = left.steps[step].iter_mut().zip(own);
+            for (left, own) in edges.flat_map(|(left, own)| left.iter_mut().zip(own)) {
+                *left = joined(*left, *own, |left, own| left + own);
+            }
         }
         left
     }
@@ -129,6 +134,9 @@ impl Along {
 
     /// The larger ones of the neighbours of `nodes`.
     fn at(&self, nodes: &[Nodes]) -> Self {
+        if self.nodes == nodes {
+            return self.clone();
+        }
         let steps = self.steps.iter().map(|step| {
             let edges = step.iter().zip(&self.nodes).zip(nodes);
             edges

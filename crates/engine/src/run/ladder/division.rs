@@ -31,7 +31,7 @@ pub(super) enum Spaced {
 }
 
 impl Spaced {
-    fn are_graded(self) -> bool {
+    pub(super) fn are_graded(self) -> bool {
         self != Self::Equally
     }
 }
@@ -110,7 +110,7 @@ impl Changes<'_> {
         let rows = &self.fine.steps[at[0]][at[1]].rows;
         let rubs = rows.iter().any(|row| row.shear != 0.0);
         Errors::of(|stated| {
-            // Without friction no force depends on which way a point slips, and the last increment says it.
+            // Without friction no force depends on which way a point slips, and the sign is that of the last increment.
             if !rubs && matches!(stated, Stated::SlipAway | Stated::SlipTowards) {
                 return None;
             }

@@ -4,7 +4,9 @@
 //! geometry leave the peak stress and pressure of the step.
 
 use super::numbers::{Numbers, Table};
-use crate::results::{BodyFailure, FailurePoint, FirstPly, JointFailure, PointErrors, Stated};
+use crate::results::{
+    BodyFailure, Errors, FailurePoint, FirstPly, JointFailure, PointErrors, Stated,
+};
 
 /// k of the module's equation.
 const FACTOR: f64 = 3.0;
@@ -28,9 +30,11 @@ pub(super) fn parts(numbers: &Numbers, left: &Table) -> Vec<f64> {
     let part = |(step, errors): (&Vec<_>, &Vec<_>)| {
         let edges = step.iter().zip(errors).zip(&numbers.geometries);
         let contacts = edges.filter(|(_, geometry)| geometry.contact);
-        let parts = contacts.flat_map(|((edge, errors), _): ((&_, &crate::results::Errors), _)| {
-            [Stated::PeakPressure, Stated::PeakHoop]
-                .map(|stated| Some(errors.get(stated)? / stated.value(edge)?.abs()))
+        let parts = contacts.flat_map(|((edge, errors), _): ((&_, &Errors), _)| {
+            let peaks = [Stated::PeakPressure, Stated::PeakHoop];
+            let sizes = peaks.map(|stated| stated.value(edge).map_or(0.0, f64::abs));
+            let size = sizes[0].max(sizes[1]);
+            peaks.map(|stated| Some(errors.get(stated)? / size))
         });
         let parts = parts.flatten().filter(|part| part.is_finite());
         parts.fold(0.0, f64::max)
@@ -50,11 +54,6 @@ fn of_body(own: &mut BodyFailure, before: &[&BodyFailure], parts: &[f64]) {
     of_firsts(&mut own.first_ply, before, parts, |other| {
         Some(&other.first_ply)
     });
-    if let Some(beside) = &mut own.beside_supports {
-        of_firsts(&mut beside.sooner, before, parts, |other| {
-            Some(&other.beside_supports.as_ref()?.sooner)
-        });
-    }
     let Some(characteristic) = &mut own.characteristic else {
         return;
     };
@@ -99,13 +98,18 @@ fn of_first(own: &mut FirstPly, before: &[&FirstPly], parts: &[f64]) {
         Some(left(value, &before)? + part(parts, own.step) * value.abs())
     });
     let points: Vec<&FailurePoint> = before.iter().map(|first| &first.at).collect();
-    own.at.errors = of_point(&own.at, &points, part(parts, own.step));
+    // Index and reserve factor are one there.
+    own.at.errors = of_point(&own.at, &points, 0.0).map(|errors| PointErrors {
+        index: None,
+        reserve_factor: None,
+        ..errors
+    });
 }
 
 fn of_point(own: &FailurePoint, before: &[&FailurePoint], part: f64) -> Option<PointErrors> {
-    let number = |value: fn(&FailurePoint) -> f64| {
+    let number = |value: fn(&FailurePoint) -> f64, power: f64| {
         let before: Vec<f64> = before.iter().map(|point| value(point)).collect();
-        let error = left(value(own), &before)? + part * value(own).abs();
+        let error = left(value(own), &before)? + power * part * value(own).abs();
         error.is_finite().then_some(error)
     };
     let apart = |one: &FailurePoint, other: &FailurePoint| {
@@ -119,8 +123,9 @@ fn of_point(own: &FailurePoint, before: &[&FailurePoint], part: f64) -> Option<P
         .map(|pair| apart(pair[0], pair[1]))
         .collect();
     Some(PointErrors {
-        index: number(|point| point.index),
-        reserve_factor: number(|point| point.reserve_factor),
+        // Of most criteria it grows with the square of stress.
+        index: number(|point| point.index, 2.0),
+        reserve_factor: number(|point| point.reserve_factor, 1.0),
         place: size(&apart)?,
     })
 }

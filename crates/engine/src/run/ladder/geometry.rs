@@ -4,7 +4,7 @@ use super::along::Along;
 use super::numbers::{Numbers, Table, difference, zipped};
 use crate::results::{Results, Stated};
 
-/// The difference on a coarse model is off by this factor at most.
+/// The difference on one model is off by this factor at most.
 const FACTOR: f64 = 1.5;
 
 /// The geometry that was chosen, where it was left to the program.

@@ -35,8 +35,11 @@ pub(super) fn difference(fine: &Numbers, coarse: &Numbers) -> Table {
     fine.steps.iter().zip(&coarse.steps).map(edges).collect()
 }
 
-/// The sum of two tables; the second one may be empty.
+/// The sum of two tables; either may be empty.
 pub(super) fn sum(one: &Table, other: &Table) -> Table {
+    if one.is_empty() {
+        return other.clone();
+    }
     zipped(one, other, |one, other| match (one, other) {
         (Some(one), Some(other)) => Some(one + other),
         (one, _) => one,

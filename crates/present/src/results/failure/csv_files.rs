@@ -8,7 +8,7 @@ use crate::results::names::{FileNames, step_name};
 use crate::results::progressive::{self, ProgressiveView};
 use crate::results::{File, FileNote};
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{EdgePlies, FailurePoint, Results};
+use stickslip_engine::results::{EdgePlies, FailurePoint, PointErrors, Results};
 
 /// All files about failure, and what they hold.
 pub(crate) fn files(results: &Results) -> (Vec<File>, Vec<FileNote>) {
@@ -109,6 +109,13 @@ fn step_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
         point_headings(view)
     ));
     headings.splice(1..1, load_heading(&load));
+    let states_errors = view.results.ladder.is_some();
+    if states_errors {
+        let length = view.results.units.length.name;
+        headings.extend(csv::headings(&format!(
+            "reserve_factor_error [-] | index_error [-] | place_error [{length}]"
+        )));
+    }
     let mut rows = vec![headings];
     for (step, points) in view.failure.steps.iter().enumerate() {
         for point in points {
@@ -121,6 +128,18 @@ fn step_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
                 number(point.index),
             ]);
             cells.extend(point_cells(view, point));
+            if states_errors {
+                let error = |of: fn(&PointErrors) -> Option<f64>| {
+                    let error = point.errors.as_ref().and_then(of);
+                    error.map_or(String::new(), number)
+                };
+                let place = point.errors.map(|errors| view.length(errors.place));
+                cells.extend([
+                    error(|errors| errors.reserve_factor),
+                    error(|errors| errors.index),
+                    place.map_or(String::new(), number),
+                ]);
+            }
             rows.push(cells);
         }
     }
@@ -134,6 +153,13 @@ fn first_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
         point_headings(view)
     ));
     headings.splice(2..2, load_heading(&load));
+    let states_errors = view.results.ladder.is_some();
+    if states_errors {
+        let unit = if load.is_load() { &*load.unit } else { "-" };
+        let length = view.results.units.length.name;
+        let errors = format!("load_error [{unit}] | place_error [{length}]");
+        headings.extend(csv::headings(&errors));
+    }
     let width = headings.len();
     let mut rows = vec![headings];
     let joints = view.failure.characteristic.as_ref();
@@ -153,6 +179,11 @@ fn first_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
                 let joint = joints.and_then(|joints| joints.curve[k].as_ref());
                 let mode = joint.filter(|joint| std::ptr::eq(&raw const joint.first, first));
                 cells.push(mode.map_or(String::new(), |joint| joint.mode.name().to_owned()));
+                if states_errors {
+                    let place = first.at.errors.map(|errors| view.length(errors.place));
+                    let errors = [first.load_error, place];
+                    cells.extend(errors.map(|error| error.map_or(String::new(), number)));
+                }
             }
             cells.resize(width, String::new());
             rows.push(cells);

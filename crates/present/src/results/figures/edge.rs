@@ -3,7 +3,7 @@
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 
-use super::{half_remark, zone_bands};
+use super::{half_remark, margin_remark, zone_bands};
 use crate::results::attempt::Attempt;
 use crate::results::display::{EdgeView, even};
 use crate::results::zones::{contact_ranges, contact_reach, is_closed, modelled, stick_ranges};
@@ -146,6 +146,7 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
             view.friction_symbol()
         ));
     }
+    sentences.extend(margin_remark(view));
     sentences.extend(half_remark(view));
     sentences.join(" ")
 }

@@ -7,7 +7,7 @@ use stickslip_report::color::{Color, loading_sequence, sequence, unloading_seque
 use stickslip_report::svg::Svg;
 
 use super::edge::{around_contact, curve, margin, place_axis};
-use super::last_largest;
+use super::{last_largest, margin_remark};
 use crate::results::attempt::Attempt;
 use crate::results::display::{EdgeView, even};
 use crate::results::zones::contact_reach;
@@ -171,6 +171,7 @@ fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: Option<String>) -> Att
     };
     let mut sentences = what_is_seen(view, quantity, over_bearing);
     sentences.extend(peak);
+    sentences.extend(margin_remark(view));
     Ok(Some((picture, sentences.join(" "))))
 }
 
