@@ -23,12 +23,21 @@ pub(super) fn between_nodes(
         let edges = model.edges.iter().zip(geometries).zip(step);
         edges
             .map(|((edge, geometry), results)| {
+                if finds_no_cusp(record, results) {
+                    return Errors::default();
+                }
                 let walk = Walk::new(model, solved, record, (edge, geometry, results));
                 walk.map_or_else(Errors::default, |walk| walk.improve(results))
             })
             .collect()
     });
     each.collect()
+}
+
+/// Whether the expansions of [`stickslip_contact::peaks`] do not describe the ends of contact: where gaps are those of the deformed geometry and friction acts, pressure falls to zero linearly
+/// over some tenths of a degree, not like a root.
+fn finds_no_cusp(record: &StepRecord, results: &EdgeResults) -> bool {
+    record.contacts.is_some() && results.rows.iter().any(|row| row.shear != 0.0)
 }
 
 /// A contact edge in a step, its nodes in the order of growing places along e_t.
