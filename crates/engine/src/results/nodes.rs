@@ -61,13 +61,20 @@ impl Nodes {
 
     /// The largest errors of nodes no farther from the node `k` than `reach`.
     pub(crate) fn largest_near(&self, errors: &[Values], k: usize, reach: f64) -> Values {
-        let apart = |node: usize| {
-            let ahead = self.ahead(k, self.parameter[node]).abs();
-            self.closed
-                .map_or(ahead, |length| ahead.min(length - ahead))
+        let count = self.count();
+        let near = |node: usize| {
+            let ahead = self.ahead(k, self.parameter[node % count]).abs();
+            let apart = (self.closed).map_or(ahead, |length| ahead.min(length - ahead));
+            (apart <= reach).then_some(node % count)
         };
-        let near = (0..self.count()).filter(|&node| apart(node) <= reach);
-        near.fold(errors[k], |largest, node| {
+        // An open edge ends at its last node, and on the way back, a period on, at its first.
+        let [end, start] = match self.closed {
+            Some(_) => [k + count, k + 1],
+            None => [count, count],
+        };
+        let ahead = (k + 1..end).map_while(near);
+        let back = (start..k + count).rev().map_while(near);
+        ahead.chain(back).fold(errors[k], |largest, node| {
             joined(largest, errors[node], f64::max)
         })
     }

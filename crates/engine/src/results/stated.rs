@@ -119,6 +119,11 @@ impl Stated {
         )
     }
 
+    /// Whether a fit between nodes gives it, where there is one.
+    pub(crate) fn is_fitted(self) -> bool {
+        matches!(self, Self::PeakHoop | Self::ContactExtent)
+    }
+
     /// Whether it is zero where the bodies do not touch, or do not where they bear.
     pub(crate) fn vanishes(self) -> bool {
         matches!(

@@ -327,9 +327,10 @@ impl Climb<'_> {
     fn failure_before(&self, levels: Vec<Level>) -> Vec<Vec<BodyFailure>> {
         let failure = |mut level: Level| {
             level.model.request.fields = FieldOutput::None;
-            let bodies = &level.model.request.failure.as_ref()?.bodies;
-            let followed = bodies.iter().any(|body| body.progressive.is_some());
-            let bodies: Vec<usize> = bodies.iter().map(|body| body.body).collect();
+            let failure = level.model.request.failure.as_mut()?;
+            failure.settings.envelopes = None;
+            let followed = failure.bodies.iter().any(|body| body.progressive.is_some());
+            let bodies: Vec<usize> = failure.bodies.iter().map(|body| body.body).collect();
             let solver = self.models.solver();
             let found = (!followed)
                 .then(|| results_without_audit(&level.model, solver, level.solved, &bodies));

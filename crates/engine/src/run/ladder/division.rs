@@ -16,6 +16,8 @@ const WIDE: f64 = 0.4;
 const LEAST: f64 = 0.1;
 /// The expansion at an end of contact is off by so many times the error that it states, at most, on graded nodes.
 const FITTED: f64 = 3.5;
+/// Numbers that a fit between nodes would give are off by so many times what models estimate, where the nodes themselves have to do.
+const NODAL: f64 = 1.7;
 /// It is off by at least this part of what models estimate.
 const ENDS: f64 = 0.6;
 
@@ -158,6 +160,8 @@ impl Changes<'_> {
             None if stated.is_of_nodes() && !self.nodes.are_graded() => {
                 by_models.max(0.5 * self.fine.spacings[edge])
             }
+            // Of two models alone the largest node of the coarse one may lie near the peak by chance.
+            None if self.nodes.are_graded() && stated.is_fitted() => NODAL * by_models,
             None => by_models,
         })
     }

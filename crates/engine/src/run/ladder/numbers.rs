@@ -62,3 +62,19 @@ pub(super) fn zipped(
     };
     one.iter().enumerate().map(edges).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::results::Stated;
+
+    /// A history without friction has no errors of the load path, and keeps those of the geometry.
+    #[test]
+    fn either_table_of_a_sum_may_be_empty() {
+        let table = |error: f64| vec![vec![Errors::of(|_| Some(error))]];
+        let first = |sum: &Table| sum[0][0].get(Stated::PeakPressure);
+        assert_eq!(first(&sum(&Table::new(), &table(2.0))), Some(2.0));
+        assert_eq!(first(&sum(&table(2.0), &Table::new())), Some(2.0));
+        assert_eq!(first(&sum(&table(2.0), &table(3.0))), Some(5.0));
+    }
+}
