@@ -81,7 +81,7 @@ use crate::problem::{ContactPair, Contacts, InterfaceProblem};
 use crate::state::ContactState;
 
 pub use curve::{Curve, CurveEnds, CurveShape};
-pub(crate) use geometry::{Geometry, Unfaced};
+pub(crate) use geometry::{Geometry, Unfaced, is_free_to_turn};
 
 /// Change of a gap relative to the largest motion of a point, and of a normal `[rad]`, up to which a geometry is settled.
 pub const TOLERANCE: f64 = 1e-6;
@@ -117,6 +117,8 @@ pub struct Facing {
 pub struct DeformedGaps<'a> {
     bodies: Vec<&'a dyn InterfaceOperator>,
     facings: Vec<&'a Facing>,
+    /// Whether each body is free to turn.
+    turning: Vec<bool>,
 }
 
 impl<'a> DeformedGaps<'a> {
@@ -166,7 +168,20 @@ impl<'a> DeformedGaps<'a> {
         Ok(Self {
             bodies: bodies.to_vec(),
             facings: facings.iter().collect(),
+            turning: bodies.iter().map(|body| is_free_to_turn(*body)).collect(),
         })
+    }
+
+    /// The same where `turning` says which bodies are free to turn: of means over hats a translation does not look like one.
+    pub(crate) fn turning(self, turning: &[bool]) -> Self {
+        Self {
+            turning: turning.to_vec(),
+            ..self
+        }
+    }
+
+    pub(crate) fn facings(&self) -> &[&'a Facing] {
+        &self.facings
     }
 
     /// Those of the bodies and pairs of `group`.
@@ -174,6 +189,11 @@ impl<'a> DeformedGaps<'a> {
         Self {
             bodies: group.bodies.iter().map(|&body| self.bodies[body]).collect(),
             facings: group.pairs.iter().map(|&pair| self.facings[pair]).collect(),
+            turning: group
+                .bodies
+                .iter()
+                .map(|&body| self.turning[body])
+                .collect(),
         }
     }
 

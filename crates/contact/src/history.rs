@@ -1,6 +1,7 @@
 //! Load histories: from one load step to the next by sub-steps, cut back by a [`Walker`] where a solver fails. The parts of an [`Interface`] walk each
 //! step side by side and are cut back each for itself; a history ends where the first of them does.
 
+mod carry;
 mod course;
 mod frictionless;
 mod increment;
@@ -9,6 +10,7 @@ mod otherwise;
 mod passes;
 mod record;
 mod recovery;
+mod stages;
 mod travel;
 mod walker;
 
@@ -23,13 +25,17 @@ use crate::interface::Interface;
 use crate::problem::InterfaceProblem;
 use crate::solver::{FailureCause, InterfaceSolver, StepFailure};
 use crate::state::ContactState;
+use crate::thinned::{Thinned, Whole};
 use crate::uniqueness::uniqueness_bound;
 
+use carry::Carry;
 use course::Course;
 pub use increment::Increment;
 pub use otherwise::{Difference, Missing, Otherwise};
 pub use record::StepRecord;
 pub use recovery::{Cycle, FailedAttempts, Recovery};
+use stages::Stages;
+pub use stages::Thin;
 pub use travel::travelled;
 pub use walker::{Blocked, Effort, LoadIncrement, LoadPath, Progress, Walker};
 
@@ -154,7 +160,8 @@ impl LoadHistory {
         mut observe: impl FnMut(&StepRecord),
     ) -> Result<Vec<StepRecord>, ContactError> {
         let observe = |records: &[StepRecord]| records.iter().for_each(&mut observe);
-        let steps = self.follow_all(&[Course::small(problem)], solver, observe);
+        let stages = Stages::unchanging(vec![Course::small(problem)]);
+        let steps = self.follow_all(&stages, solver, observe);
         let steps = steps.map_err(|ended| *ended.error)?;
         Ok(steps.into_iter().flatten().collect())
     }
@@ -171,8 +178,8 @@ impl LoadHistory {
         solver: &dyn InterfaceSolver,
         mut observe: impl FnMut(),
     ) -> Result<Vec<StepRecord>, ContactError> {
-        let courses = Course::of_parts(interface, kinematics);
-        let steps = self.follow_all(&courses, solver, |_| observe());
+        let stages = Stages::unchanging(Course::of_parts(interface, kinematics));
+        let steps = self.follow_all(&stages, solver, |_| observe());
         let steps = steps.map_err(|ended| interface.ended(ended.part, *ended.error))?;
         Ok(steps
             .into_iter()
@@ -180,24 +187,55 @@ impl LoadHistory {
             .collect())
     }
 
-    /// The records of each step, one for each of `courses`; or the problem that comes to its end first, and why.
+    /// Walks the history with each load step on its own nodes `thinned`, chosen among those of `whole`, one record of all points for each step; the records on the
+    /// chosen nodes are for [`thinned_otherwise`](Self::thinned_otherwise). `observe` is called as soon as a step is accepted.
+    ///
+    /// # Errors
+    /// As [`follow_parts`](Self::follow_parts), and [`ContactError::InvalidLoad`] if steps and choices of nodes differ in number.
+    pub fn follow_thinned(
+        &self,
+        whole: &Whole<'_>,
+        thinned: &[Thinned],
+        solver: &dyn InterfaceSolver,
+        mut observe: impl FnMut(),
+    ) -> Result<Thin, ContactError> {
+        let stages = Stages::thinned(whole, thinned, self.steps.len())?;
+        let steps = self.follow_all(&stages, solver, |_| observe());
+        let interface = |step: usize| thinned[step].interface();
+        let steps = steps.map_err(|ended| interface(ended.step).ended(ended.part, *ended.error))?;
+        let merged = steps.into_iter().enumerate();
+        let own: Vec<StepRecord> = merged
+            .map(|(step, records)| interface(step).merged(records))
+            .collect();
+        let all = own.iter().zip(thinned);
+        Ok(Thin {
+            all: all
+                .map(|(own, thinned)| Carry { whole, thinned }.expand(own))
+                .collect(),
+            own,
+        })
+    }
+
+    /// The records of each step, one for each problem of `stages`; or the problem that comes to its end first, and why.
     fn follow_all(
         &self,
-        courses: &[Course<'_>],
+        stages: &Stages<'_>,
         solver: &dyn InterfaceSolver,
         mut observe: impl FnMut(&[StepRecord]),
     ) -> Result<Vec<Vec<StepRecord>>, Ended> {
-        let unloaded = |course: &Course<'_>| StepRecord::at(ContactState::unloaded(course.problem));
-        let unloaded: Vec<StepRecord> = courses.iter().map(unloaded).collect();
-        let mut scales = vec![LargestScales::default(); courses.len()];
+        let mut scales = Vec::new();
         let mut steps: Vec<Vec<StepRecord>> = Vec::with_capacity(self.steps.len());
         for (index, target) in self.steps.iter().enumerate() {
-            let last = steps.last();
-            let walked = each(courses, |part, course| {
-                let start = last.map_or(&unloaded[part], |records| &records[part]);
-                self.walk(course, solver, start, index, target)
+            let starts = stages.starts(index, steps.last().map(Vec::as_slice));
+            let walked = each(stages.courses(index), |part, course| {
+                self.walk(course, solver, &starts[part], index, target)
             });
-            let mut records = all_or_first_end(walked)?;
+            let mut records = all_or_first_end(walked).map_err(|(part, error)| Ended {
+                step: index,
+                part,
+                error,
+            })?;
+            scales.resize_with(records.len(), LargestScales::default);
             for (record, scales) in records.iter_mut().zip(&mut scales) {
                 scales.add(&mut record.audit);
             }
@@ -209,8 +247,8 @@ impl LoadHistory {
                 scales.measure(&mut record.audit);
             }
         }
-        let bounds = each(courses, |part, course| {
-            estimate_uniqueness(course.problem, steps.iter().map(|records| &records[part]))
+        let bounds = parallel::map_range(0..scales.len(), |part| {
+            estimate_uniqueness(stages, part, steps.iter().map(|records| &records[part]))
         });
         for (part, bound) in bounds.into_iter().enumerate() {
             if let Some((step, bound)) = bound {
@@ -349,29 +387,29 @@ fn each<T: Send>(
 
 /// Where a history ends before its last step.
 struct Ended {
+    step: usize,
     /// Number of the problem.
     part: usize,
     error: Box<ContactError>,
 }
 
-/// All records, or the part that reached least of the step, one with a proof before others.
+/// All records, or the part that reached least of the step and why, one with a proof before others.
 fn all_or_first_end(
     walked: Vec<Result<StepRecord, ContactError>>,
-) -> Result<Vec<StepRecord>, Ended> {
+) -> Result<Vec<StepRecord>, (usize, Box<ContactError>)> {
     let key = |error: &ContactError| match error {
         ContactError::StepFailed { reached, cause, .. } => (*reached, cause.is_unresolved()),
         _ => (-1.0, false),
     };
     let mut records = Vec::with_capacity(walked.len());
-    let mut end: Option<Ended> = None;
+    let mut end: Option<(usize, Box<ContactError>)> = None;
     for (part, outcome) in walked.into_iter().enumerate() {
         match outcome {
             Ok(record) => records.push(record),
             Err(error) => {
-                let first = |other: &Ended| key(&error) < key(&other.error);
+                let first = |(_, other): &(usize, Box<ContactError>)| key(&error) < key(other);
                 if end.as_ref().is_none_or(first) {
-                    let error = Box::new(error);
-                    end = Some(Ended { part, error });
+                    end = Some((part, Box::new(error)));
                 }
             }
         }
@@ -382,7 +420,8 @@ fn all_or_first_end(
 /// The step in which most points touch, the last of equal ones, and its estimated bound of uniqueness: it costs more than an
 /// interface solve, and says nothing new about fewer points under the same law.
 fn estimate_uniqueness<'a>(
-    problem: &InterfaceProblem,
+    stages: &Stages<'_>,
+    part: usize,
     records: impl Iterator<Item = &'a StepRecord>,
 ) -> Option<(usize, Option<f64>)> {
     let touching = |(_, record): &(usize, &StepRecord)| {
@@ -390,5 +429,6 @@ fn estimate_uniqueness<'a>(
         status.filter(|status| status.touches()).count()
     };
     let (step, record) = records.enumerate().max_by_key(touching)?;
+    let problem = stages.courses(step)[part].problem;
     Some((step, uniqueness_bound(problem, &record.state.status)))
 }

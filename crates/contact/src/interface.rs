@@ -164,6 +164,26 @@ impl Interface {
         amounts
     }
 
+    /// The rigid motions of all bodies that are `amounts` of each body's own: what [`motions_of_body`](Self::motions_of_body) takes apart.
+    pub(crate) fn rigid_of(&self, amounts: &[Vec<f64>]) -> DVector<f64> {
+        let mut rigid = DVector::zeros(self.mode_count());
+        for (index, own) in amounts.iter().enumerate() {
+            let range = self.body_modes(index);
+            rigid
+                .rows_mut(range.start, range.len())
+                .copy_from_slice(own);
+        }
+        for part in &self.parts {
+            for (local, &body) in part.group.bodies.iter().enumerate() {
+                let units = part.problem.mode_units(local);
+                for (mode, unit) in self.body_modes(body).zip(units) {
+                    rigid[mode] /= *unit;
+                }
+            }
+        }
+        rigid
+    }
+
     /// Numbers held in the compliances and rigid motions of all parts.
     pub fn entries(&self) -> usize {
         let parts = self.parts.iter().map(|part| &part.problem);

@@ -18,6 +18,7 @@
 //! | [`state`] | what is known at the end of a step |
 //! | [`solver`] | the family of one-step solvers and their fallback chain |
 //! | [`history`] | load steps, sub-steps, cut-back, dissipation |
+//! | [`thinned`] | load steps on some of the contact nodes |
 //! | [`uniqueness`] | an estimate of the friction coefficient up to which a step has one solution |
 //! | [`zones`] | where contact is open, sticks and slips, with interpolated ends |
 //! | [`peaks`] | peaks of stress and pressure along an edge, with estimated errors |
@@ -80,6 +81,7 @@ pub mod peaks;
 pub mod problem;
 pub mod solver;
 pub mod state;
+pub mod thinned;
 pub mod uniqueness;
 pub mod zones;
 

@@ -15,6 +15,7 @@ use std::sync::Arc;
 
 use stickslip_contact::history::Otherwise;
 use stickslip_contact::interface::Group;
+use stickslip_contact::thinned::Thinned;
 use stickslip_contact::{ContactError, Contacts, Interface, InterfaceSolver, StepRecord};
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::parallel;
@@ -138,15 +139,29 @@ pub struct Solved {
     pub interface: Interface,
     /// One record per load step.
     pub records: Vec<StepRecord>,
+    /// The nodes of every load step, where these are not all.
+    pub own: Option<OwnNodes>,
     /// Wall time of each load step `[s]`.
     pub step_seconds: Vec<f64>,
     /// Wall time of the phases `[s]`.
     pub phases: Vec<(&'static str, f64)>,
 }
 
+/// Load steps on nodes of their own.
+#[derive(Debug)]
+pub struct OwnNodes {
+    /// The contacts of every step.
+    pub thinned: Vec<Thinned>,
+    /// One record per load step, of its own points.
+    pub records: Vec<StepRecord>,
+}
+
 impl Solved {
     /// Forces `[N]` on the contact points of body `body` at the end of the load step `record`, interleaved, at the places where they act.
     pub fn forces_on_body(&self, record: &StepRecord, body: usize) -> Vec<f64> {
+        if let Some(on_bodies) = &record.on_bodies {
+            return on_bodies[body].clone();
+        }
         let count = self.operators[body].interface().points().len();
         let forces = &record.state.forces;
         match &record.contacts {
@@ -268,6 +283,7 @@ pub fn follow(
         operators,
         interface,
         records,
+        own: None,
         step_seconds,
         phases: vec![("contact", model.host.seconds() - start)],
     })
@@ -322,11 +338,21 @@ fn otherwise(
     model: &Model,
     solver: &dyn InterfaceSolver,
     solved: &Solved,
-) -> Result<Vec<Otherwise>, ContactError> {
+) -> Result<Vec<Otherwise>, RunError> {
     let faces: Vec<&dyn InterfaceOperator> =
         solved.operators.iter().map(Operator::interface).collect();
     let kinematics = model.kinematics(&faces)?;
     let (interface, records) = (&solved.interface, &solved.records);
+    if let Some(own) = &solved.own
+        && let Some(whole) = ladder::thinning::whole(model, &faces, interface)?
+    {
+        return Ok((model.history).thinned_otherwise(
+            &whole,
+            &own.thinned,
+            solver,
+            &own.records,
+        )?);
+    }
     Ok((model.history).walked_otherwise(interface, &kinematics, solver, records))
 }
 

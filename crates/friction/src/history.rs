@@ -101,6 +101,16 @@ impl History {
         }
     }
 
+    /// The record of a point between this one and `other`, `part` of the way there: its slip path lies between, the rest is that of the nearer one.
+    #[must_use = "a record is never changed in place"]
+    pub fn between(&self, other: &Self, part: f64) -> Self {
+        let nearer = if part > 0.5 { other } else { self };
+        Self {
+            slip_path: (1.0 - part) * self.slip_path + part * other.slip_path,
+            ..*nearer
+        }
+    }
+
     /// The record after an accepted step that ended with `status` and moved the point by the signed `slip_increment`
     /// `[length]`, first body relative to the second along the unit tangent.
     ///

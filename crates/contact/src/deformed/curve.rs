@@ -112,13 +112,33 @@ impl Curve {
         })
     }
 
+    /// The curve through fewer `nodes`, linear cells at `parameter`, whose displacements are those at `places`.
+    pub(crate) fn thinned(
+        &self,
+        nodes: Vec<usize>,
+        parameter: Vec<f64>,
+        places: Vec<f64>,
+    ) -> Result<Self, String> {
+        Self::new(self.shape, nodes, parameter, 1, self.ends)?.standing_at(places)
+    }
+
+    /// The parameters to which the displacements of its nodes belong.
+    pub(crate) fn places(&self) -> &[f64] {
+        &self.parameter
+    }
+
+    /// After which parameter it begins again, if it is closed.
+    pub(crate) fn period(&self) -> Option<f64> {
+        (self.ends == CurveEnds::Closed).then_some(TAU)
+    }
+
     /// Its nodes, as indices among the contact points of its body.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
     }
 
     /// Centre of its circle.
-    pub(super) fn centre(&self) -> Option<Point> {
+    pub(crate) fn centre(&self) -> Option<Point> {
         match self.shape {
             CurveShape::Circle { centre, .. } => Some(centre),
             CurveShape::Level { .. } => None,

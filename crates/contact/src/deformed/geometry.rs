@@ -205,11 +205,11 @@ impl<'a> Edges<'a> {
         if let (Some(first), Some(second)) = (facing.centre, curve.centre()) {
             // Where the bodies turn about, which means over hats do within the circle.
             let [upper, lower] = [pair.first, pair.second].map(|body| gaps.bodies[body]);
-            if is_free_to_turn(upper) {
+            if gaps.turning[pair.first] {
                 let places = pair.points.iter().map(|point| upper.points()[node(point)]);
                 turns[0] = Some(Turn::new(places, first, pair));
             }
-            if is_free_to_turn(lower) {
+            if gaps.turning[pair.second] {
                 let places = curve.nodes().iter().map(|&node| lower.points()[node]);
                 turns[1] = Some(Turn::new(places, second, pair));
             }
@@ -334,7 +334,7 @@ fn stencil(curve: &Curve, slopes: &[(usize, f64)], position: usize, by: f64) -> 
 }
 
 /// Whether a rigid motion of `body` that its supports leave free is not a translation.
-fn is_free_to_turn(body: &dyn InterfaceOperator) -> bool {
+pub(crate) fn is_free_to_turn(body: &dyn InterfaceOperator) -> bool {
     const ROUNDING: f64 = 1e-9;
     body.modes().column_iter().any(|mode| {
         let apart = (2..mode.len()).map(|row| (mode[row] - mode[row % 2]).abs());

@@ -3,13 +3,17 @@
 //!
 //! Neither solution is cut back, so a step that the other solver or the smaller increments do not solve has no comparison.
 
+use stickslip_fem_core::parallel;
+
 use super::course::Course;
-use super::{LoadHistory, StepRecord, each};
+use super::stages::Stages;
+use super::{LoadHistory, StepRecord};
 use crate::deformed::Kinematics;
+use crate::error::ContactError;
 use crate::interface::Interface;
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
-use crate::state::ContactState;
+use crate::thinned::{Thinned, Whole};
 use crate::uniqueness::{NEAR_BOUND, bound_with_turns_held};
 
 /// Part of the largest motion up to which a difference of slips is rounding.
@@ -118,10 +122,34 @@ impl LoadHistory {
         solver: &dyn InterfaceSolver,
         records: &[StepRecord],
     ) -> Vec<Otherwise> {
-        let courses = Course::of_parts(interface, kinematics);
-        let parts = each(&courses, |part, course| {
-            let own: Vec<&StepRecord> = records.iter().map(|record| record.part(part)).collect();
-            self.problem_otherwise(course, solver, &own)
+        let stages = Stages::unchanging(Course::of_parts(interface, kinematics));
+        self.all_otherwise(&stages, solver, records)
+    }
+
+    /// The same of `records` on the chosen nodes of a history that [`follow_thinned`](Self::follow_thinned) walked.
+    ///
+    /// # Errors
+    /// As [`follow_thinned`](Self::follow_thinned), of nodes that do not fit.
+    pub fn thinned_otherwise(
+        &self,
+        whole: &Whole<'_>,
+        thinned: &[Thinned],
+        solver: &dyn InterfaceSolver,
+        records: &[StepRecord],
+    ) -> Result<Vec<Otherwise>, ContactError> {
+        let stages = Stages::thinned(whole, thinned, self.steps.len())?;
+        Ok(self.all_otherwise(&stages, solver, records))
+    }
+
+    fn all_otherwise(
+        &self,
+        stages: &Stages<'_>,
+        solver: &dyn InterfaceSolver,
+        records: &[StepRecord],
+    ) -> Vec<Otherwise> {
+        let count = stages.courses(0).len();
+        let parts = parallel::map_range(0..count, |part| {
+            self.problem_otherwise(stages, part, solver, records)
         });
         let mut all = vec![Otherwise::default(); records.len()];
         for part in parts {
@@ -134,40 +162,41 @@ impl LoadHistory {
 
     fn problem_otherwise(
         &self,
-        course: &Course<'_>,
+        stages: &Stages<'_>,
+        part: usize,
         solver: &dyn InterfaceSolver,
-        records: &[&StepRecord],
+        records: &[StepRecord],
     ) -> Vec<Otherwise> {
-        let problem = course.problem;
-        let touching = |record: &&StepRecord| {
+        let own: Vec<&StepRecord> = records.iter().map(|record| record.part(part)).collect();
+        let touching = |(_, record): &(usize, &StepRecord)| {
             let status = record.state.status.iter();
             status.filter(|status| status.touches()).count()
         };
-        let rubbing = records.iter().copied();
-        let rubbing = rubbing.filter(|record| record.coefficient > 0.0);
-        let estimate = rubbing.max_by_key(touching).and_then(|record| {
+        let rubbing = own.iter().copied().enumerate();
+        let rubbing = rubbing.filter(|(_, record)| record.coefficient > 0.0);
+        let estimate = rubbing.max_by_key(touching).and_then(|(step, record)| {
+            let problem = stages.courses(step)[part].problem;
             let held = || bound_with_turns_held(problem, &record.state.status);
             record.uniqueness.or_else(held)
         });
-        let unloaded = StepRecord::at(ContactState::unloaded(problem));
         let mut effort = Otherwise::EFFORT;
         let mut all = Vec::with_capacity(records.len());
-        for (index, &record) in records.iter().enumerate() {
+        for (index, record) in own.into_iter().enumerate() {
             let mut found = Otherwise::default();
-            let start = index.checked_sub(1).map_or(&unloaded, |k| records[k]);
+            let course = &stages.courses(index)[part];
+            let again = || Again {
+                history: self,
+                course,
+                start: stages.start(index, part, &records[..index]),
+                index,
+                record,
+            };
             if record.coefficient > 0.0 {
-                let again = Again {
-                    history: self,
-                    course,
-                    start,
-                    index,
-                    record,
-                };
                 if record.cutbacks > 0 && record.increments <= MANY {
-                    found.finer = again.by(solver, solver.name(), 2 * record.increments);
+                    found.finer = again().by(solver, solver.name(), 2 * record.increments);
                 }
-                if record.cutbacks > 0 || may_have_several(problem, record, estimate) {
-                    match again.by_another(&mut effort) {
+                if record.cutbacks > 0 || may_have_several(course.problem, record, estimate) {
+                    match again().by_another(&mut effort) {
                         Ok(difference) => found.other_solver = Some(difference),
                         Err(missing) => found.missing = Some(missing),
                     }
@@ -220,7 +249,7 @@ fn falls_with_slip(problem: &InterfaceProblem, record: &StepRecord) -> bool {
 struct Again<'a> {
     history: &'a LoadHistory,
     course: &'a Course<'a>,
-    start: &'a StepRecord,
+    start: StepRecord,
     index: usize,
     record: &'a StepRecord,
 }

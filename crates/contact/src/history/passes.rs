@@ -63,9 +63,13 @@ impl<'a> Passes<'a> {
         from: &StepRecord,
         known: Option<Taken>,
     ) -> Result<Self, StepFailure> {
-        let before = from.contacts_of(undeformed.contacts());
-        let committed =
-            gaps.displacements(undeformed, before, &from.state, &from.state.multipliers);
+        let committed = match &from.moved {
+            Some(moved) => moved.to_vec(),
+            None => {
+                let before = from.contacts_of(undeformed.contacts());
+                gaps.displacements(undeformed, before, &from.state, &from.state.multipliers)
+            }
+        };
         let same = |known: &Taken| {
             let own = from.contacts.as_ref();
             own.is_some_and(|own| Arc::ptr_eq(own, &known.contacts))

@@ -19,6 +19,11 @@ pub struct StepRecord {
     pub state: ContactState,
     /// The contact points on the deformed geometry of its end; `None` where contact is found on the undeformed one.
     pub contacts: Option<Arc<Contacts>>,
+    /// Forces `[force]` on the contact points of each body, x and y of each in turn, where they are not those that [`contacts`](Self::contacts) make of the state: of a
+    /// step on [chosen nodes](crate::thinned).
+    pub on_bodies: Option<Arc<Vec<Vec<f64>>>>,
+    /// Displacements `[length]` of the contact points of each body, where they are not those of the forces: of a step that goes on from other nodes.
+    pub moved: Option<Arc<Vec<DVector<f64>>>>,
     /// Work of all its increments, failed attempts included.
     pub work: Work,
     /// Largest residuals of its increments.
@@ -61,12 +66,14 @@ pub struct StepRecord {
 
 impl StepRecord {
     /// The record of a step that has not left `state` yet.
-    pub(super) fn at(state: ContactState) -> Self {
+    pub(crate) fn at(state: ContactState) -> Self {
         Self {
             slip: DVector::zeros(state.status.len()),
             friction_work: DVector::zeros(state.status.len()),
             state,
             contacts: None,
+            on_bodies: None,
+            moved: None,
             work: Work::default(),
             residuals: Residuals::default(),
             verified: true,
@@ -90,6 +97,7 @@ impl StepRecord {
     pub(super) fn at_its_end(&self) -> Self {
         Self {
             contacts: self.contacts.clone(),
+            moved: self.moved.clone(),
             ..Self::at(self.state.clone())
         }
     }
@@ -107,6 +115,8 @@ impl StepRecord {
         Self {
             audit: Audit::of(problem, &state),
             contacts: None,
+            on_bodies: None,
+            moved: None,
             work: solution.work,
             residuals,
             verified: solution.stop == Stop::Verified,
@@ -179,6 +189,7 @@ impl StepRecord {
         self.slip += next.slip;
         self.state = next.state;
         self.contacts = next.contacts;
+        self.moved = next.moved;
         self.audit = next.audit;
     }
 

@@ -14,6 +14,7 @@ mod limits;
 mod models;
 mod numbers;
 mod path;
+pub(super) mod thinning;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
@@ -295,7 +296,8 @@ impl Climb<'_> {
         let Some(last) = levels.pop() else {
             return super::run_with(self.scene, self.models.solver(), &mut |_| {});
         };
-        let along = along.floored(&last.numbers).into_steps();
+        let along = along.floored(&last.numbers);
+        let along = along.into_steps(&last.numbers.geometries);
         let unlimited = division::findings(&last.numbers, &errors);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         found.findings.extend(unlimited);
@@ -306,7 +308,12 @@ impl Climb<'_> {
         }
         for ((step, fitted), errors) in found.steps.iter_mut().zip(last.numbers.steps).zip(errors) {
             for ((edge, fitted), errors) in step.edges.iter_mut().zip(fitted).zip(errors) {
-                *edge = EdgeResults { errors, ..fitted };
+                let rows = std::mem::take(&mut edge.rows);
+                *edge = EdgeResults {
+                    errors,
+                    rows,
+                    ..fitted
+                };
             }
         }
         for (step, along) in found.steps.iter_mut().zip(along) {

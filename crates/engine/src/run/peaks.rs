@@ -11,22 +11,25 @@ use crate::series::is_isotropic;
 /// Nodes that are looked at on either side of an end of contact.
 const REACH: i64 = 5;
 
-/// Replaces the nodal peak of stress and extent of contact of every contact edge by those between nodes; returns their own errors.
+/// Replaces the nodal peak of stress and extent of contact of every contact edge by those between nodes; returns their own errors. `own` are the edges with the nodes of every step, which are
+/// those with the numbers `rows` of the model.
 pub(super) fn between_nodes(
     model: &Model,
     solved: &Solved,
-    geometries: &[EdgeGeometry],
+    (own, rows): (&[Vec<EdgeGeometry>], &[Vec<Vec<usize>>]),
     steps: &mut [Vec<EdgeResults>],
 ) -> Vec<Vec<Errors>> {
-    let records = solved.records.iter();
-    let each = records.zip(steps).map(|(record, step)| {
-        let edges = model.edges.iter().zip(geometries).zip(step);
+    let nodes = own.iter().zip(rows);
+    let each = solved.records.iter().zip(nodes).zip(steps);
+    let each = each.map(|((record, (own, rows)), step)| {
+        let edges = model.edges.iter().zip(own).zip(rows).zip(step);
         edges
-            .map(|((edge, geometry), results)| {
+            .map(|(((edge, geometry), rows), results)| {
                 if finds_no_cusp(record, results) {
                     return Errors::default();
                 }
-                let walk = Walk::new(model, solved, record, (edge, geometry, results));
+                let of = (edge, geometry, rows.as_slice());
+                let walk = Walk::new(model, solved, record, of, results);
                 walk.map_or_else(Errors::default, |walk| walk.improve(results))
             })
             .collect()
@@ -59,11 +62,12 @@ impl<'a> Walk<'a> {
         model: &Model,
         solved: &Solved,
         record: &StepRecord,
-        (edge, geometry, results): (&ModelEdge, &'a EdgeGeometry, &EdgeResults),
+        (edge, geometry, rows): (&ModelEdge, &'a EdgeGeometry, &[usize]),
+        results: &EdgeResults,
     ) -> Option<Self> {
-        let pair = edge.pair?;
         let contacts = solved.interface.contacts();
-        let points: Vec<usize> = contacts.pair_points(pair).collect();
+        let first = contacts.pair_points(edge.pair?).start;
+        let points: Vec<usize> = rows.iter().map(|row| first + row).collect();
         let bound = points.iter().map(|&k| bound(contacts, &record.state, k));
         let slip = points.iter().map(|&k| record.slip[k]);
         let material = model.bodies[geometry.body].elastic()?.materials().first()?;

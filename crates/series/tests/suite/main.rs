@@ -9,3 +9,4 @@ mod orthotropic;
 mod peaks;
 mod persson;
 mod strip;
+mod thinned;

@@ -23,7 +23,8 @@ const PATH: f64 = 2.0;
 /// Errors at the nodes of edges, per step and edge.
 #[derive(Clone, Default)]
 pub(super) struct Along {
-    nodes: Vec<Nodes>,
+    /// Nodes per step and edge.
+    nodes: Vec<Vec<Nodes>>,
     steps: Vec<Vec<Vec<Values>>>,
 }
 
@@ -37,7 +38,7 @@ impl Along {
         let last = Self::between(fine, coarse);
         let sizes = match levels {
             [.., coarser, coarse, _] => {
-                let before = Self::between(coarse, coarser).on(&fine.geometries);
+                let before = Self::between(coarse, coarser).at(&nodes(fine));
                 last.joined(&before, |last, before| last.max(RATE[kind] * before))
             }
             _ => last,
@@ -60,16 +61,15 @@ impl Along {
 
     /// The differences of two models at the nodes of the first.
     pub(super) fn between(fine: &Numbers, coarse: &Numbers) -> Self {
-        let nodes: Vec<Nodes> = fine.geometries.iter().map(Nodes::of).collect();
-        let other: Vec<Nodes> = coarse.geometries.iter().map(Nodes::of).collect();
-        let steps = fine.steps.iter().zip(&coarse.steps);
-        let steps = steps.map(|(step, coarser)| {
-            let edges = step.iter().zip(coarser).enumerate();
+        let (nodes, other) = (nodes(fine), nodes(coarse));
+        let steps = fine.steps.iter().zip(&coarse.steps).enumerate();
+        let steps = steps.map(|(step, (edges, coarser))| {
+            let edges = edges.iter().zip(coarser).enumerate();
             edges
                 .map(|(edge, (own, coarser))| {
-                    let rows = own.rows.iter().zip(&nodes[edge].parameter);
+                    let rows = own.rows.iter().zip(&nodes[step][edge].parameter);
                     rows.map(|(row, &at)| {
-                        let there = other[edge].interpolated(&coarser.rows, at);
+                        let there = other[step][edge].interpolated(&coarser.rows, at);
                         joined(values(row), there, |own, there| (own - there).abs())
                     })
                     .collect()
@@ -116,8 +116,10 @@ impl Along {
         self
     }
 
-    /// The errors of every step and edge.
-    pub(super) fn into_steps(self) -> Vec<Vec<Vec<RowErrors>>> {
+    /// The errors of every step and edge, at all nodes of the edges `geometries`.
+    pub(super) fn into_steps(self, geometries: &[EdgeGeometry]) -> Vec<Vec<Vec<RowErrors>>> {
+        let all: Vec<Nodes> = geometries.iter().map(Nodes::of).collect();
+        let all = vec![all; self.steps.len()];
         let named = |[pressure, shear, sigma_tangential]: Values| RowErrors {
             pressure,
             shear,
@@ -125,20 +127,17 @@ impl Along {
         };
         let edge = |errors: Vec<Values>| errors.into_iter().map(named).collect();
         let step = |edges: Vec<Vec<Values>>| edges.into_iter().map(edge).collect();
-        self.steps.into_iter().map(step).collect()
-    }
-
-    fn on(&self, geometries: &[EdgeGeometry]) -> Self {
-        self.at(&geometries.iter().map(Nodes::of).collect::<Vec<_>>())
+        self.at(&all).steps.into_iter().map(step).collect()
     }
 
     /// The larger ones of the neighbours of `nodes`.
-    fn at(&self, nodes: &[Nodes]) -> Self {
+    fn at(&self, nodes: &[Vec<Nodes>]) -> Self {
         if self.nodes == nodes {
             return self.clone();
         }
-        let steps = self.steps.iter().map(|step| {
-            let edges = step.iter().zip(&self.nodes).zip(nodes);
+        let all = self.steps.iter().zip(&self.nodes).zip(nodes);
+        let steps = all.map(|((step, own), nodes)| {
+            let edges = step.iter().zip(own).zip(nodes);
             edges
                 .map(|((errors, own), nodes)| {
                     let largest = |&at: &f64| {
@@ -168,9 +167,10 @@ impl Along {
 
     /// At every node the largest error no farther away than nodes of `coarse` are apart there.
     fn widened(&self, coarse: &Numbers) -> Self {
-        let coarse: Vec<Nodes> = coarse.geometries.iter().map(Nodes::of).collect();
-        let steps = self.steps.iter().map(|step| {
-            let edges = step.iter().zip(&self.nodes).zip(&coarse);
+        let coarse = nodes(coarse);
+        let all = self.steps.iter().zip(&self.nodes).zip(&coarse);
+        let steps = all.map(|((step, own), coarse)| {
+            let edges = step.iter().zip(own).zip(coarse);
             edges
                 .map(|((errors, own), coarse)| {
                     let at = own.parameter.iter().enumerate();
@@ -184,4 +184,10 @@ impl Along {
             nodes: self.nodes.clone(),
         }
     }
+}
+
+/// The nodes of every step and edge.
+fn nodes(of: &Numbers) -> Vec<Vec<Nodes>> {
+    let step = |edges: &Vec<EdgeGeometry>| edges.iter().map(Nodes::of).collect();
+    of.own.iter().map(step).collect()
 }

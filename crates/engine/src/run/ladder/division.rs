@@ -193,7 +193,7 @@ impl Changes<'_> {
     fn flat(&self, at: At, peak: Stated) -> f64 {
         let [step, edge] = at;
         let results = &self.fine.steps[step][edge];
-        let geometry = &self.fine.geometries[edge];
+        let geometry = &self.fine.own[step][edge];
         let found = match peak {
             Stated::PeakHoop => results.peak_hoop,
             _ => results.peak_pressure,

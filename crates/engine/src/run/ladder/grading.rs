@@ -1,11 +1,13 @@
-//! Nodes graded towards the places where contact changes, the ends of contact, of stick and of slip at the end of every load step, and finer within a small contact.
+//! Nodes graded towards the places where contact changes, the ends of contact, of stick and of slip, and finer within a small contact.
 //!
 //! ```text
-//! h(θ) = min(coarse, fine + GROWTH d, coarse w/WIDE + GROWTH d),     n = ∫ dθ/h(θ)
+//! h_k(θ) = min(widest, fine + GROWTH d, coarse w/WIDE + GROWTH c),     h(θ) = min(coarse, h_1, h_2, …),     n = ∫ dθ/h(θ)
 //! ```
 //!
-//! d is the distance of θ from the nearest place, or from a contact that extends over w. A place is known to the interval of nodes between which the
-//! status changes, so that is its extent. Angles divide the integral into equal parts.
+//! d is the distance of θ from the nearest place where the status changes at the end of load step k or of the one before, c that from a contact that extends over w. Places of
+//! earlier steps, from which slip came that stays, count with twice the spacing for every step since. A place is known to the interval of nodes between which the status changes, so that is its extent.
+//!
+//! Angles of all nodes divide the integral into equal parts; each load step takes those that are as far apart as h_k lets them.
 
 use std::f64::consts::{PI, TAU};
 
@@ -18,30 +20,91 @@ const WIDE: f64 = 2.0;
 /// Steps of the integral per fine spacing.
 const POINTS: f64 = 4.0;
 
-/// Spacings of nodes `[rad]` of the model `rung`, fine and coarse, where those of the first are `widest`: from rung to rung a quarter and half of it, for errors fall
-/// with the root of the one and the square of the other.
-pub(super) fn spacings(widest: f64, rung: usize) -> [f64; 2] {
-    [4.0, 2.0_f64].map(|ratio| widest / ratio.powi(rung as i32))
+/// How nodes are graded in a history.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Grading {
+    /// Spacing of nodes where nothing touches, and the largest one of all nodes `[rad]`.
+    widest: f64,
+    coarse: f64,
+    /// Where nodes are closer, in each load step.
+    steps: Vec<Vec<Place>>,
 }
 
-/// Angles from 0 to π of a half model, or all around, there those of places and their images if `mirrored`; `fine` and `coarse` are spacings `[rad]`, places are
-/// those of `level`.
-pub(super) fn angles(
-    level: &Numbers,
-    half: bool,
-    mirrored: bool,
-    [fine, coarse]: [f64; 2],
-) -> Vec<f64> {
-    let mut places = places(level, fine, coarse);
-    if mirrored {
-        let images: Vec<Place> = places.iter().map(Place::mirrored).collect();
-        places.extend(images);
+impl Grading {
+    /// That of the model `rung` after the places of `level`, a coarser one, and their images if `mirrored`; `widest` is the spacing of the first model `[rad]`. Spacings are from rung to
+    /// rung a quarter of it near places and half of it elsewhere, for errors fall with the root of the one and the square of the other.
+    pub(super) fn new(level: &Numbers, rung: usize, widest: f64, mirrored: bool) -> Self {
+        let [fine, coarse] = [4.0, 2.0_f64].map(|ratio| widest / ratio.powi(rung as i32));
+        let own: Vec<StepPlaces> = (0..level.steps.len())
+            .map(|step| StepPlaces::of(level, step, coarse))
+            .collect();
+        let places = |step: usize| {
+            let mut places: Vec<Place> = Vec::new();
+            let since = |before: &usize| (step - before).saturating_sub(1);
+            for before in (0..=step).rev().take_while(|before| since(before) < 32) {
+                let spacing = fine * f64::from(1_u32 << since(&before));
+                if spacing >= coarse {
+                    break;
+                }
+                let changes = own[before].changes.iter();
+                places.extend(changes.map(|&ends| Place::between(ends, spacing)));
+                if before + 1 >= step {
+                    places.extend(&own[before].contacts);
+                }
+            }
+            if mirrored {
+                let images: Vec<Place> = places.iter().map(Place::mirrored).collect();
+                places.extend(images);
+            }
+            places
+        };
+        Self {
+            widest,
+            coarse,
+            steps: (0..own.len()).map(places).collect(),
+        }
     }
-    let spacing = |angle: f64| {
-        let own = places.iter();
-        own.map(|place| place.spacing + GROWTH * place.distance(angle))
-            .fold(coarse, f64::min)
-    };
+
+    /// Angles of all nodes from 0 to π of a half model, or all around.
+    pub(super) fn angles(&self, half: bool) -> Vec<f64> {
+        let places: Vec<Place> = self.steps.iter().flatten().copied().collect();
+        angles(half, |angle| spacing(&places, angle, self.coarse))
+    }
+
+    /// The nodes of load step `step` among those at `angles`, ascending, of a half circle or all around.
+    pub(super) fn chosen(&self, step: usize, angles: &[f64], half: bool) -> Vec<usize> {
+        let wanted: Vec<f64> = angles
+            .iter()
+            .map(|&angle| spacing(&self.steps[step], angle, self.widest))
+            .collect();
+        let count = angles.len();
+        let last = if half { count - 1 } else { count };
+        let place = |k: usize| angles[k % count] + if k < count { 0.0 } else { TAU };
+        let fits = |from: usize, to: usize| {
+            place(to) - place(from) <= wanted[from].min(wanted[to % count])
+        };
+        let (mut at, mut chosen) = (0, vec![0]);
+        while at < last {
+            let next = (at + 2..=last).take_while(|&to| fits(at, to)).last();
+            at = next.unwrap_or(at + 1);
+            chosen.push(at);
+        }
+        if !half {
+            chosen.pop();
+        }
+        chosen
+    }
+}
+
+/// Distance of nodes at `angle`, closer at `places`, elsewhere `widest`.
+fn spacing(places: &[Place], angle: f64, widest: f64) -> f64 {
+    let own = places.iter();
+    own.map(|place| place.spacing + GROWTH * place.distance(angle))
+        .fold(widest, f64::min)
+}
+
+/// Angles from 0 to π of a `half` model, or all around, at the distances `spacing`.
+fn angles(half: bool, spacing: impl Fn(f64) -> f64) -> Vec<f64> {
     let end = if half { PI } else { TAU };
     // The integral, walked in steps of a part of the spacing itself.
     let mut walk = vec![[0.0, 0.0]];
@@ -83,6 +146,7 @@ pub(super) fn angles(
 }
 
 /// Angles where nodes are closer.
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Place {
     middle: f64,
     reach: f64,
@@ -90,7 +154,7 @@ struct Place {
 }
 
 impl Place {
-    fn between(from: f64, to: f64, spacing: f64) -> Self {
+    fn between([from, to]: [f64; 2], spacing: f64) -> Self {
         let width = (to - from).rem_euclid(TAU);
         Self {
             middle: from + 0.5 * width,
@@ -112,18 +176,26 @@ impl Place {
     }
 }
 
-fn places(level: &Numbers, fine: f64, coarse: f64) -> Vec<Place> {
-    let mut places = Vec::new();
-    let contacts = level.geometries.iter().enumerate();
-    for (edge, geometry) in contacts.filter(|(_, geometry)| geometry.contact) {
-        let at = |k: usize| geometry.parameter[k % geometry.parameter.len()];
-        for step in &level.steps {
-            let rows = &step[edge].rows;
+/// Where contact changes and where there is contact at the end of a load step.
+struct StepPlaces {
+    /// Angles between which the status changes.
+    changes: Vec<[f64; 2]>,
+    contacts: Vec<Place>,
+}
+
+impl StepPlaces {
+    /// Those of `level`, where an extended contact wants the spacing `coarse`.
+    fn of(level: &Numbers, step: usize, coarse: f64) -> Self {
+        let (mut changes, mut contacts) = (Vec::new(), Vec::new());
+        let edges = level.own[step].iter().zip(&level.steps[step]);
+        for (geometry, results) in edges.filter(|(geometry, _)| geometry.contact) {
+            let at = |k: usize| geometry.parameter[k % geometry.parameter.len()];
+            let rows = &results.rows;
             let count = rows.len();
             let last = if geometry.half { count - 1 } else { count };
-            let changes = (0..last).filter(|k| rows[*k].status != rows[(k + 1) % count].status);
-            places.extend(changes.map(|k| Place::between(at(k), at(k + 1), fine)));
-            let Some(extent) = step[edge].contact_half_extent else {
+            let ends = (0..last).filter(|k| rows[*k].status != rows[(k + 1) % count].status);
+            changes.extend(ends.map(|k| [at(k), at(k + 1)]));
+            let Some(extent) = results.contact_half_extent else {
                 continue;
             };
             let spacing = coarse * (2.0 * extent / WIDE).min(1.0);
@@ -132,11 +204,11 @@ fn places(level: &Numbers, fine: f64, coarse: f64) -> Vec<Place> {
             for run in touching.chunk_by(|one, other| one == other) {
                 let to = from + run.len();
                 if run[0] {
-                    places.push(Place::between(at(from), at(to.min(last)), spacing));
+                    contacts.push(Place::between([at(from), at(to.min(last))], spacing));
                 }
                 from = to;
             }
         }
+        Self { changes, contacts }
     }
-    places
 }

@@ -8,9 +8,10 @@ use stickslip_scene::Scene;
 use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
 
 use super::division::Spaced;
-use super::grading;
+use super::grading::Grading;
 use super::limits::Missing;
 use super::numbers::Numbers;
+use super::thinning;
 use crate::model::Model;
 use crate::results::{EdgeGeometry, EdgeResults};
 use crate::run::{
@@ -51,10 +52,26 @@ pub(super) struct Level {
     division: String,
 }
 
+/// Graded contact nodes.
+#[derive(Clone, PartialEq)]
+struct Graded {
+    grading: Grading,
+    angles: Vec<f64>,
+}
+
+impl Graded {
+    fn new(grading: Grading, half: bool) -> Self {
+        Self {
+            angles: grading.angles(half),
+            grading,
+        }
+    }
+}
+
 /// A model and its operators, ready for other increments and for the other geometry on which contact is found.
 struct Made {
     rung: usize,
-    graded: Option<Vec<f64>>,
+    graded: Option<Graded>,
     kinematics: KinematicsChoice,
     model: Model,
     operators: Vec<Operator>,
@@ -80,8 +97,8 @@ pub(super) struct Models<'a> {
     scene: &'a Scene,
     solver: &'a dyn InterfaceSolver,
     division: Division,
-    /// Angles of the contact nodes of rungs by series that are graded, by rung.
-    graded: BTreeMap<usize, Vec<f64>>,
+    /// How the contact nodes of rungs by series are graded, by rung.
+    graded: BTreeMap<usize, Graded>,
     /// What was made last.
     made: Option<Made>,
     /// On which geometry contact is found.
@@ -151,13 +168,14 @@ impl<'a> Models<'a> {
     /// Grades the nodes of `rung` towards the places where contact changes in `level`, a coarser model, if they are those of series.
     pub(super) fn grade(&mut self, level: &Level, rung: usize) {
         if self.is_graded() {
-            let [fine, coarse] = grading::spacings(PI / INTERVALS as f64, rung);
             let half = level.model.half;
-            let angles = |mirrored| grading::angles(&level.numbers, half, mirrored, [fine, coarse]);
-            self.graded.insert(rung, angles(false));
+            let widest = PI / INTERVALS as f64;
+            let graded =
+                |mirrored| Graded::new(Grading::new(&level.numbers, rung, widest, mirrored), half);
+            self.graded.insert(rung, graded(false));
             // The lattice in the middle of a disk's mesh bears many more cells on one side than on the other only so far.
             if !half && Model::build(&self.scene_of(rung).0).is_err() {
-                self.graded.insert(rung, angles(true));
+                self.graded.insert(rung, graded(true));
             }
         }
     }
@@ -177,13 +195,22 @@ impl<'a> Models<'a> {
         model.divide_history(substeps)?;
         let (operators, interface) = (made.operators.clone(), made.interface.clone());
         let ready = host.seconds();
-        let mut solved = follow(&model, operators, interface, self.solver, progress)?;
+        let graded = self.graded.get(&rung).filter(|_| self.is_graded());
+        let chosen = graded.and_then(|graded| thinning::chosen(&model, &graded.grading));
+        let mut solved = match &chosen {
+            Some(chosen) => {
+                thinning::follow(&model, operators, interface, self.solver, chosen, progress)?
+            }
+            None => follow(&model, operators, interface, self.solver, progress)?,
+        };
         solved.phases.insert(0, ("operators", ready - start));
         let free = model.edges.iter().filter(|edge| edge.pair.is_none());
         let wanted: Vec<usize> = free.map(|edge| edge.geometry.body).collect();
         let recovered = fields::recover_some(&model, &solved, &wanted);
         let (geometries, mut steps) = edges::all(&model, &solved, &recovered)?;
-        let fitted = peaks::between_nodes(&model, &solved, &geometries, &mut steps);
+        let rows = thinning::rows(&solved, &model, &steps);
+        let own = thinning::own_rows(&geometries, &rows, &mut steps);
+        let fitted = peaks::between_nodes(&model, &solved, (&own, &rows), &mut steps);
         let end = host.seconds();
         Ok(Level {
             rung,
@@ -191,13 +218,14 @@ impl<'a> Models<'a> {
             seconds: end - start,
             seconds_anew: end - ready + making,
             numbers: Numbers {
-                missing: missing(&model, &solved, &geometries, &steps),
+                missing: missing(&model, &solved, &own, &steps),
                 spacings: geometries.iter().map(spacing).collect(),
                 fitted,
                 geometries,
+                own,
                 steps,
             },
-            division,
+            division: described(division, chosen.as_deref()),
             model,
             solved,
         })
@@ -252,7 +280,9 @@ impl<'a> Models<'a> {
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         match self.division {
             Division::Series => match graded {
-                Some(angles) => scene.mesh.division = MeshDivision::AngleList(angles.clone()),
+                Some(graded) => {
+                    scene.mesh.division = MeshDivision::AngleList(graded.angles.clone())
+                }
                 None => scene.analysis.contact_nodes = Some((INTERVALS << rung) + 1),
             },
             Division::Elements => {
@@ -268,7 +298,7 @@ impl<'a> Models<'a> {
             }
         }
         let mut division = match (graded, scene.analysis.contact_nodes) {
-            (Some(angles), _) => format!("series, {} graded nodes", angles.len()),
+            (Some(graded), _) => format!("series, {} graded nodes", graded.angles.len()),
             (None, Some(count)) => format!("series, {count} nodes on half a circle"),
             (None, None) => format!(
                 "{} cells, {}",
@@ -283,17 +313,29 @@ impl<'a> Models<'a> {
     }
 }
 
-/// Numbers without a limit, per step and edge.
+/// A division where each load step has the nodes `chosen` of it.
+fn described(division: String, chosen: Option<&[Vec<usize>]>) -> String {
+    let most = chosen.and_then(|steps| steps.iter().map(Vec::len).max());
+    match most {
+        Some(most) => division.replace(
+            " graded nodes",
+            &format!(" graded nodes, up to {most} in a step"),
+        ),
+        None => division,
+    }
+}
+
+/// Numbers without a limit, per step and edge; `own` are the edges with the nodes of each step.
 fn missing(
     model: &Model,
     solved: &Solved,
-    geometries: &[EdgeGeometry],
+    own: &[Vec<EdgeGeometry>],
     steps: &[Vec<EdgeResults>],
 ) -> Vec<Vec<Missing>> {
     let contacts = solved.interface.contacts();
-    let steps = solved.records.iter().zip(steps);
-    let edges = steps.map(|(record, step)| {
-        let edges = geometries.iter().zip(step).enumerate();
+    let steps = solved.records.iter().zip(own).zip(steps);
+    let edges = steps.map(|((record, own), step)| {
+        let edges = own.iter().zip(step).enumerate();
         edges
             .map(|(edge, (geometry, results))| {
                 Missing::of(model, contacts, record, (edge, geometry, results))

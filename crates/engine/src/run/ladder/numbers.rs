@@ -9,6 +9,8 @@ pub(super) type Table = Vec<Vec<Errors>>;
 /// What a model says of its edges.
 pub(super) struct Numbers {
     pub(super) geometries: Vec<EdgeGeometry>,
+    /// The edges of every step with the nodes that it has, those of the rows.
+    pub(super) own: Vec<Vec<EdgeGeometry>>,
     /// Results per step and edge.
     pub(super) steps: Vec<Vec<EdgeResults>>,
     /// Errors that fits between nodes estimate of themselves.

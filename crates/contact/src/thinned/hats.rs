@@ -1,0 +1,251 @@
+//! Hats on chosen nodes of an edge.
+
+use std::sync::Arc;
+
+use crate::deformed::Facing;
+use crate::error::ContactError;
+use crate::problem::{ContactPair, ContactPoint, frame};
+use nalgebra::Matrix2;
+use stickslip_fem_core::mesh::Point;
+
+/// Where the contact points of a pair stand along their edge.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EdgeNodes {
+    /// Ascending places of the points, in any unit.
+    pub parameter: Vec<f64>,
+    /// Period after which a closed edge begins again.
+    pub closed: Option<f64>,
+    /// Whether the first and the last point of an open edge lie on a line of symmetry.
+    pub mirrored: [bool; 2],
+}
+
+/// The hat of a chosen node.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Hat {
+    /// Points of the pair with their weights w.
+    pub(crate) terms: Vec<(usize, f64)>,
+    /// φ at the points of `terms`.
+    values: Vec<f64>,
+    area: f64,
+    pub(crate) normal: [f64; 2],
+    /// Whether it stands on a line of symmetry, where points move along the normal only.
+    is_on_axis: bool,
+}
+
+impl Hat {
+    /// What takes the displacement of the point `term` into that of the hat, both along x and y.
+    pub(crate) fn matrix(&self, pair: &ContactPair, term: usize) -> Matrix2<f64> {
+        let (point, weight) = self.terms[term];
+        let mut own = frame(pair.points[point].normal) * weight;
+        if self.is_on_axis {
+            own.row_mut(1).fill(0.0);
+        }
+        frame(self.normal).transpose() * own
+    }
+}
+
+/// The hats of a pair.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Hats {
+    chosen: Vec<usize>,
+    hats: Vec<Hat>,
+    /// Places of the chosen nodes.
+    parameter: Vec<f64>,
+    /// For each point of the pair the hats that it is under and their values there.
+    over: Vec<Vec<(usize, f64)>>,
+}
+
+impl Hats {
+    pub(crate) fn new(
+        pair: &ContactPair,
+        edge: &EdgeNodes,
+        chosen: &[usize],
+    ) -> Result<Self, ContactError> {
+        let count = pair.points.len();
+        let refuse = |point: usize, what: &str| ContactError::InvalidPair {
+            pair: pair.name.clone(),
+            point,
+            what: what.to_owned(),
+        };
+        if chosen.len() < 3 {
+            return Err(refuse(0, "at least three nodes are chosen"));
+        }
+        let ascends = chosen.windows(2).all(|ends| ends[0] < ends[1]);
+        if !ascends || chosen[chosen.len() - 1] >= count {
+            return Err(refuse(chosen[0], "chosen nodes ascend and exist"));
+        }
+        let over = over(edge, chosen, count);
+        let hat = |index: usize| {
+            let terms: Vec<(usize, f64)> = (over.iter().enumerate())
+                .flat_map(|(point, hats)| {
+                    let own = hats.iter().filter(move |(hat, _)| *hat == index);
+                    own.map(move |(_, value)| (point, *value))
+                })
+                .collect();
+            let areas = terms.iter().map(|&(k, value)| value * pair.points[k].area);
+            let area: f64 = areas.sum();
+            let ends = [index == 0, index + 1 == chosen.len()];
+            let is_on_axis =
+                edge.closed.is_none() && (0..2).any(|end| ends[end] && edge.mirrored[end]);
+            let normal = if is_on_axis {
+                pair.points[chosen[index]].normal
+            } else {
+                let sum = terms.iter().fold([0.0; 2], |sum: [f64; 2], &(k, value)| {
+                    let own = &pair.points[k];
+                    [0, 1].map(|i| sum[i] + value * own.area * own.normal[i])
+                });
+                let length = sum[0].hypot(sum[1]);
+                sum.map(|part| part / length)
+            };
+            let weight = |&(k, value): &(usize, f64)| (k, value * pair.points[k].area / area);
+            Hat {
+                values: terms.iter().map(|(_, value)| *value).collect(),
+                terms: terms.iter().map(weight).collect(),
+                area,
+                normal,
+                is_on_axis,
+            }
+        };
+        Ok(Self {
+            hats: (0..chosen.len()).map(hat).collect(),
+            parameter: chosen.iter().map(|&k| edge.parameter[k]).collect(),
+            chosen: chosen.to_vec(),
+            over,
+        })
+    }
+
+    pub(crate) fn chosen(&self) -> &[usize] {
+        &self.chosen
+    }
+
+    pub(crate) fn all(&self) -> &[Hat] {
+        &self.hats
+    }
+
+    /// For each point of the pair the hats that it is under and their values there, the largest first.
+    pub(crate) fn over(&self) -> &[Vec<(usize, f64)>] {
+        &self.over
+    }
+
+    /// `pair` with its chosen points, nodes of the two bodies from `offsets` on.
+    pub(crate) fn pair(&self, pair: &ContactPair, offsets: [usize; 2]) -> ContactPair {
+        let point = |(index, hat): (usize, &Hat)| ContactPoint {
+            first: (offsets[0] + index).into(),
+            second: (offsets[1] + index).into(),
+            normal: hat.normal,
+            gap: hat.mean(|k| pair.points[k].gap),
+            area: hat.area,
+            material_angle: pair.points[self.chosen[index]].material_angle,
+        };
+        ContactPair {
+            name: pair.name.clone(),
+            first: pair.first,
+            second: pair.second,
+            points: self.hats.iter().enumerate().map(point).collect(),
+            law: Arc::clone(&pair.law),
+        }
+    }
+
+    /// The edges of `thinned`, whose nodes are those of `facing`.
+    pub(crate) fn facing(
+        &self,
+        facing: &Facing,
+        thinned: &ContactPair,
+    ) -> Result<Facing, ContactError> {
+        let nodes = thinned.points.iter().map(|point| point.second.node());
+        let nodes = nodes.map(Option::unwrap_or_default).collect();
+        let places = facing.second.places();
+        let means = |hat: &Hat| {
+            // On an axis the other half of the hat mirrors its own.
+            if hat.is_on_axis {
+                places[hat.terms[hat.own()].0]
+            } else {
+                hat.mean_of_places(places, facing.second.period())
+            }
+        };
+        let means = self.hats.iter().map(means).collect();
+        let second = facing.second.thinned(nodes, self.parameter.clone(), means);
+        Ok(Facing {
+            first: (self.hats.iter())
+                .map(|hat| hat.place(&facing.first, facing.centre))
+                .collect(),
+            centre: facing.centre,
+            second: second.map_err(|what| ContactError::InvalidPair {
+                pair: thinned.name.clone(),
+                point: 0,
+                what,
+            })?,
+        })
+    }
+}
+
+impl Hat {
+    fn own(&self) -> usize {
+        let values = self.values.iter().enumerate();
+        let highest = values.max_by(|(_, one), (_, other)| one.total_cmp(other));
+        highest.map_or(0, |(term, _)| term)
+    }
+
+    /// The mean of what `value` is at points.
+    pub(crate) fn mean(&self, value: impl Fn(usize) -> f64) -> f64 {
+        self.terms
+            .iter()
+            .map(|&(k, weight)| weight * value(k))
+            .sum()
+    }
+
+    /// The mean of places along an edge that begins again after `period`.
+    fn mean_of_places(&self, places: &[f64], period: Option<f64>) -> f64 {
+        let own = places[self.terms[self.own()].0];
+        let away = |k: usize| {
+            let apart = places[k] - own;
+            period.map_or(apart, |period| apart - period * (apart / period).round())
+        };
+        own + self.mean(away)
+    }
+
+    /// The mean of `places` of the points, about `centre` in frames that turn along the edge: a turn about it moves the mean as it moves the points.
+    pub(crate) fn place(&self, places: &[Point], centre: Option<Point>) -> Point {
+        let Some(centre) = centre else {
+            return [0, 1].map(|i| self.mean(|k| places[k][i]));
+        };
+        let away = |k: usize| [0, 1].map(|i| places[k][i] - centre[i]);
+        let radius = self.mean(|k| {
+            let [x, y] = away(k);
+            x.hypot(y)
+        });
+        let [x, y] = away(self.terms[self.own()].0);
+        let outwards = (x * self.normal[0] + y * self.normal[1]).signum();
+        [0, 1].map(|i| centre[i] + outwards * radius * self.normal[i])
+    }
+}
+
+/// The hats that each of `count` points is under with their values there, the largest first.
+fn over(edge: &EdgeNodes, chosen: &[usize], count: usize) -> Vec<Vec<(usize, f64)>> {
+    let place = |k: usize| edge.parameter[k];
+    let last = chosen.len() - 1;
+    let under = |point: usize| -> Vec<(usize, f64)> {
+        let next = chosen.partition_point(|&own| own < point);
+        if chosen.get(next) == Some(&point) {
+            return vec![(next, 1.0)];
+        }
+        let (before, after) = match (next.checked_sub(1), edge.closed) {
+            (Some(before), _) if next <= last => (before, next),
+            (_, Some(_)) => (last, 0),
+            // Beyond the ends of an open edge the last hat goes on.
+            (None, None) => return vec![(0, 1.0)],
+            (Some(before), None) => return vec![(before, 1.0)],
+        };
+        let along = |from: usize, to: usize| {
+            let apart = place(to) - place(from);
+            edge.closed.map_or(apart, |period| apart.rem_euclid(period))
+        };
+        let part = along(chosen[before], point) / along(chosen[before], chosen[after]);
+        let mut both = vec![(before, 1.0 - part), (after, part)];
+        if part > 0.5 {
+            both.reverse();
+        }
+        both
+    };
+    (0..count).map(under).collect()
+}

@@ -1,0 +1,232 @@
+//! Load steps on some of the nodes, of a pin with friction in a strip, beside the same steps on all of them.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use stickslip_contact::deformed::{Curve, CurveEnds, CurveShape};
+use stickslip_contact::history::StepRecord;
+use stickslip_contact::thinned::{EdgeNodes, Thinned, Whole};
+use stickslip_contact::{
+    Chain, ContactPair, ContactPoint, DeformedGaps, Facing, Interface, Kinematics, LoadHistory,
+    Ramp,
+};
+use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::material::{Isotropic, PlaneState};
+use stickslip_friction::Coulomb;
+use stickslip_series::{Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, Nodes, Outline, Plate};
+
+const UNIT: Circle = Circle {
+    centre: [0.0, 0.0],
+    radius: 1.0,
+    thickness: 1.0,
+};
+const CLEARANCE: f64 = 1e-3;
+const FORCE: f64 = 4e-3;
+/// Load steps in parts of the largest force.
+const STEPS: [f64; 4] = [0.4, 1.0, 0.6, 0.1];
+
+/// A pin in a strip, half of it.
+struct Pin {
+    plate: Plate,
+    pin: Disk,
+    interface: Interface,
+    facings: Vec<Facing>,
+    edges: Vec<EdgeNodes>,
+}
+
+impl Pin {
+    fn new(angles: Vec<f64>) -> Self {
+        let nodes = Nodes::mirrored(angles).unwrap();
+        let metal = Isotropic::new(1.0, 0.3, PlaneState::Stress).unwrap();
+        let pull = vec![EdgeLoad {
+            edge: 3,
+            force: [-FORCE, 0.0],
+        }];
+        let strip = Outline::strip(8.0, 4.0, 3.0);
+        let accuracy = Accuracy::default();
+        let plate = Plate::new(nodes.clone(), &metal, UNIT, &strip, &[pull], accuracy).unwrap();
+        let still = [DiskLoad::default()];
+        let pin = Disk::held(nodes.clone(), &metal, UNIT, Anchor::default(), &still).unwrap();
+        let (weights, means) = (nodes.weights(), nodes.mean_angles());
+        let points = means.iter().zip(&weights).enumerate();
+        let points = points.map(|(k, (angle, weight))| ContactPoint {
+            first: k.into(),
+            second: k.into(),
+            normal: [angle.cos(), angle.sin()],
+            gap: CLEARANCE * (1.0 - angle.cos()),
+            area: *weight,
+            material_angle: 0.0,
+        });
+        let pair = ContactPair {
+            name: "pin".into(),
+            first: 0,
+            second: 1,
+            points: points.collect(),
+            law: Arc::new(Coulomb::new(0.3).unwrap()),
+        };
+        let ends = CurveEnds::Open {
+            mirrored: [true; 2],
+        };
+        // The pin touches at θ = 0, so its centre stands off by the clearance.
+        let rim = CurveShape::Circle {
+            centre: [CLEARANCE, 0.0],
+            radius: 1.0 - CLEARANCE,
+        };
+        let angles = nodes.angles().to_vec();
+        let curve = Curve::new(rim, (0..means.len()).collect(), angles.clone(), 1, ends);
+        let facing = Facing {
+            first: means
+                .iter()
+                .map(|angle| [angle.cos(), angle.sin()])
+                .collect(),
+            centre: Some([0.0; 2]),
+            second: curve.unwrap().standing_at(means).unwrap(),
+        };
+        let bodies: [&dyn InterfaceOperator; 2] = [&plate, &pin];
+        Self {
+            interface: Interface::new(&bodies, vec![pair]).unwrap(),
+            facings: vec![facing],
+            edges: vec![EdgeNodes {
+                parameter: angles,
+                closed: None,
+                mirrored: [true; 2],
+            }],
+            plate,
+            pin,
+        }
+    }
+
+    fn bodies(&self) -> [&dyn InterfaceOperator; 2] {
+        [&self.plate, &self.pin]
+    }
+
+    fn kinematics(&self, deformed: bool) -> Kinematics<'_> {
+        if !deformed {
+            return Kinematics::Small;
+        }
+        let pairs = self.interface.contacts().pairs();
+        let gaps = DeformedGaps::new(&self.bodies(), pairs, &self.facings);
+        Kinematics::DeformedGaps(gaps.unwrap())
+    }
+
+    fn followed(&self, deformed: bool) -> Vec<StepRecord> {
+        let kinematics = self.kinematics(deformed);
+        let chain = Chain::default();
+        let followed = history().follow_parts(&self.interface, &kinematics, &chain, || {});
+        followed.unwrap()
+    }
+
+    /// The same with the nodes `chosen` in each step, all points.
+    fn thinned(&self, deformed: bool, chosen: impl Fn(usize) -> Vec<usize>) -> Vec<StepRecord> {
+        let kinematics = self.kinematics(deformed);
+        let (bodies, edges) = (self.bodies(), self.edges.clone());
+        let whole = Whole::new(&bodies, &self.interface, &kinematics, edges).unwrap();
+        let thinned: Vec<Thinned> = (0..STEPS.len())
+            .map(|step| Thinned::new(&whole, &[chosen(step)]).unwrap())
+            .collect();
+        let thin = history().follow_thinned(&whole, &thinned, &Chain::default(), || {});
+        thin.unwrap().all
+    }
+
+    fn pressures(&self, record: &StepRecord) -> Vec<[f64; 2]> {
+        let points = self.interface.contacts().points().iter().enumerate();
+        points
+            .map(|(k, point)| {
+                let state = &record.state;
+                [state.normal_force(k), state.tangential_force(k)].map(|force| force / point.area)
+            })
+            .collect()
+    }
+}
+
+fn history() -> LoadHistory {
+    let steps = STEPS.iter().map(|part| vec![*part]).collect();
+    LoadHistory::new(steps, 3, Ramp::Linear).unwrap()
+}
+
+/// Angles that grow and shrink smoothly from 0.8° to 2°.
+fn uneven() -> Vec<f64> {
+    let count = 140;
+    let at = |k: usize| {
+        let part = k as f64 / f64::from(count);
+        part + 0.07 * (4.0 * PI * part).sin() / PI
+    };
+    (0..=count as usize).map(|k| PI * at(k)).collect()
+}
+
+/// The largest difference of pressures and shears to those of `other`, in parts of the largest pressure.
+fn apart(one: &[[f64; 2]], other: &[[f64; 2]]) -> f64 {
+    let peak = other.iter().fold(0.0_f64, |peak, own| peak.max(own[0]));
+    let both = one.iter().zip(other);
+    let differences = both.map(|(a, b)| (a[0] - b[0]).abs().max((a[1] - b[1]).abs()));
+    differences.fold(0.0, f64::max) / peak
+}
+
+#[test]
+fn all_nodes_chosen_change_nothing() {
+    let pin = Pin::new(uneven());
+    for deformed in [false, true] {
+        let all: Vec<usize> = (0..pin.edges[0].parameter.len()).collect();
+        let found = pin.thinned(deformed, |_| all.clone());
+        for (found, known) in found.iter().zip(&pin.followed(deformed)) {
+            let [found, known] = [found, known].map(|record| pin.pressures(record));
+            assert!(apart(&found, &known) < 1e-9, "{:e}", apart(&found, &known));
+        }
+    }
+}
+
+/// Every second node, the even ones and the odd ones in turn, and few where nothing touches: friction carries over from nodes to others, and bodies balance as on all nodes.
+#[test]
+fn states_go_over_to_other_nodes() {
+    let pin = Pin::new(uneven());
+    let last = pin.edges[0].parameter.len() - 1;
+    let chosen = |step: usize| {
+        let mut own: Vec<usize> = (0..=last)
+            .filter(|&k| k < 80 && k % 2 == step % 2 || k % 20 == 0)
+            .collect();
+        if own[0] != 0 {
+            own.insert(0, 0);
+        }
+        own
+    };
+    for deformed in [false, true] {
+        let found = pin.thinned(deformed, chosen);
+        for (step, (found, known)) in found.iter().zip(&pin.followed(deformed)).enumerate() {
+            let sums = [found, known].map(|record| record.audit.pairs[0].resultant[0]);
+            let part = STEPS[step] * FORCE;
+            assert!((sums[0] - sums[1]).abs() < 2e-6 * part, "{sums:?}");
+            let [mut one, mut other] = [found, known].map(|record| pin.pressures(record));
+            // Within contact and stick, away from their ends, where errors fall with the root of the spacing.
+            let inner = |k: usize| {
+                let near = (k.saturating_sub(8)..=k + 8).map(|k| known.state.status[k.min(last)]);
+                near.into_iter()
+                    .all(|status| status == known.state.status[k])
+            };
+            let kept: Vec<bool> = (0..=last).map(inner).collect();
+            let mut keep = kept.iter();
+            one.retain(|_| *keep.next().unwrap());
+            let mut keep = kept.iter();
+            other.retain(|_| *keep.next().unwrap());
+            let apart = apart(&one, &other);
+            assert!(apart < 4e-3, "step {step}: {apart:e}");
+        }
+    }
+}
+
+#[test]
+fn choices_that_make_no_hats_are_refused() {
+    let pin = Pin::new(uneven());
+    let bodies = pin.bodies();
+    let whole = Whole::new(
+        &bodies,
+        &pin.interface,
+        &Kinematics::Small,
+        pin.edges.clone(),
+    );
+    let whole = whole.unwrap();
+    for chosen in [vec![0, 1], vec![0, 2, 1], vec![0, 1, 141]] {
+        let why = Thinned::new(&whole, &[chosen]).unwrap_err().to_string();
+        assert!(why.contains("chosen"), "{why}");
+    }
+    assert!(Whole::new(&bodies, &pin.interface, &Kinematics::Small, Vec::new()).is_none());
+}
