@@ -81,7 +81,8 @@ use crate::problem::{ContactPair, Contacts, InterfaceProblem};
 use crate::state::ContactState;
 
 pub use curve::{Curve, CurveEnds, CurveShape};
-pub(crate) use geometry::{Geometry, Unfaced, is_free_to_turn};
+pub use geometry::is_free_to_turn;
+pub(crate) use geometry::{Geometry, Unfaced};
 
 /// Change of a gap relative to the largest motion of a point, and of a normal `[rad]`, up to which a geometry is settled.
 pub const TOLERANCE: f64 = 1e-6;

@@ -40,6 +40,7 @@ pub use request::{FailingBody, FailureRequest, FollowedJoint, Request};
 pub(crate) use room::parts;
 
 use plan::Plan;
+pub(crate) use plan::Seat;
 
 /// Why a scene that reads well cannot be modelled.
 #[derive(Debug, Error)]
@@ -287,12 +288,18 @@ impl Model {
     /// # Errors
     /// [`ModelError`]; nothing large is allocated before the size of the meshes is known.
     pub fn build(scene: &Scene) -> Result<Self, ModelError> {
-        Self::build_on(scene, None)
+        Self::build_on(scene, None, &[])
     }
 
-    /// As [`build`](Self::build), with the bodies by series of `known`, whose scene differs in nothing that they depend on.
-    pub(crate) fn build_on(scene: &Scene, known: Option<&Self>) -> Result<Self, ModelError> {
+    /// As [`build`](Self::build), with the bodies by series of `known` where their nodes are the same, whose scene differs in nothing else that they depend on. `seats` are those of
+    /// contacts, of as many as are known.
+    pub(crate) fn build_on(
+        scene: &Scene,
+        known: Option<&Self>,
+        seats: &[Option<Seat>],
+    ) -> Result<Self, ModelError> {
         let mut plan = Plan::of(scene);
+        plan.seat(seats);
         limits::check(&plan)?;
         let mut choices = Vec::new();
         let half = extent::choose(&plan, &mut choices)?;

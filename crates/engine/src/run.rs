@@ -10,6 +10,7 @@ mod peaks;
 mod progressive;
 mod remarks;
 mod reported;
+mod seats;
 
 use std::sync::Arc;
 
@@ -196,12 +197,19 @@ pub fn run_with(
 ) -> Result<Results, RunError> {
     progress(Progress::Phase("mesh"));
     let start = scene.host().seconds();
-    let model = Model::build(scene)?;
+    let mut model = Model::build(scene)?;
     let mesh_seconds = scene.host().seconds() - start;
     let mut solved = solve(&model, solver, progress)?;
+    if let Some(seats) = seats::wanted(&model, &solved) {
+        model = Model::build_on(scene, Some(&model), &seats)?;
+        solved = solve(&model, solver, progress)?;
+    }
     solved.phases.insert(0, ("mesh", mesh_seconds));
     progress(Progress::Phase("stresses"));
-    results(&model, solver, solved)
+    let doubts = seats::findings(&model, &solved);
+    let mut found = results(&model, solver, solved)?;
+    found.findings.extend(doubts);
+    Ok(found)
 }
 
 /// Condenses the bodies of `model` and follows its history with `solver`.

@@ -123,7 +123,7 @@ impl Curve {
     }
 
     /// The parameters to which the displacements of its nodes belong.
-    pub(crate) fn places(&self) -> &[f64] {
+    pub fn places(&self) -> &[f64] {
         &self.parameter
     }
 

@@ -334,7 +334,7 @@ fn stencil(curve: &Curve, slopes: &[(usize, f64)], position: usize, by: f64) -> 
 }
 
 /// Whether a rigid motion of `body` that its supports leave free is not a translation.
-pub(crate) fn is_free_to_turn(body: &dyn InterfaceOperator) -> bool {
+pub fn is_free_to_turn(body: &dyn InterfaceOperator) -> bool {
     const ROUNDING: f64 = 1e-9;
     body.modes().column_iter().any(|mode| {
         let apart = (2..mode.len()).map(|row| (mode[row] - mode[row % 2]).abs());

@@ -63,12 +63,11 @@ impl<'a> Passes<'a> {
         from: &StepRecord,
         known: Option<Taken>,
     ) -> Result<Self, StepFailure> {
-        let committed = match &from.moved {
-            Some(moved) => moved.to_vec(),
-            None => {
-                let before = from.contacts_of(undeformed.contacts());
-                gaps.displacements(undeformed, before, &from.state, &from.state.multipliers)
-            }
+        let committed = if let Some(moved) = &from.moved {
+            moved.to_vec()
+        } else {
+            let before = from.contacts_of(undeformed.contacts());
+            gaps.displacements(undeformed, before, &from.state, &from.state.multipliers)
         };
         let same = |known: &Taken| {
             let own = from.contacts.as_ref();

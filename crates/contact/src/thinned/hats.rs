@@ -48,7 +48,7 @@ impl Hat {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Hats {
     chosen: Vec<usize>,
-    hats: Vec<Hat>,
+    all: Vec<Hat>,
     /// Places of the chosen nodes.
     parameter: Vec<f64>,
     /// For each point of the pair the hats that it is under and their values there.
@@ -107,7 +107,7 @@ impl Hats {
             }
         };
         Ok(Self {
-            hats: (0..chosen.len()).map(hat).collect(),
+            all: (0..chosen.len()).map(hat).collect(),
             parameter: chosen.iter().map(|&k| edge.parameter[k]).collect(),
             chosen: chosen.to_vec(),
             over,
@@ -119,7 +119,7 @@ impl Hats {
     }
 
     pub(crate) fn all(&self) -> &[Hat] {
-        &self.hats
+        &self.all
     }
 
     /// For each point of the pair the hats that it is under and their values there, the largest first.
@@ -141,7 +141,7 @@ impl Hats {
             name: pair.name.clone(),
             first: pair.first,
             second: pair.second,
-            points: self.hats.iter().enumerate().map(point).collect(),
+            points: self.all.iter().enumerate().map(point).collect(),
             law: Arc::clone(&pair.law),
         }
     }
@@ -163,10 +163,10 @@ impl Hats {
                 hat.mean_of_places(places, facing.second.period())
             }
         };
-        let means = self.hats.iter().map(means).collect();
+        let means = self.all.iter().map(means).collect();
         let second = facing.second.thinned(nodes, self.parameter.clone(), means);
         Ok(Facing {
-            first: (self.hats.iter())
+            first: (self.all.iter())
                 .map(|hat| hat.place(&facing.first, facing.centre))
                 .collect(),
             centre: facing.centre,
@@ -204,19 +204,31 @@ impl Hat {
         own + self.mean(away)
     }
 
-    /// The mean of `places` of the points, about `centre` in frames that turn along the edge: a turn about it moves the mean as it moves the points.
-    pub(crate) fn place(&self, places: &[Point], centre: Option<Point>) -> Point {
+    /// The mean of `places` of the points, about `centre` in frames that turn along the edge.
+    fn place(&self, places: &[Point], centre: Option<Point>) -> Point {
         let Some(centre) = centre else {
             return [0, 1].map(|i| self.mean(|k| places[k][i]));
         };
         let away = |k: usize| [0, 1].map(|i| places[k][i] - centre[i]);
+        let own = away(self.terms[self.own()].0);
         let radius = self.mean(|k| {
             let [x, y] = away(k);
             x.hypot(y)
         });
-        let [x, y] = away(self.terms[self.own()].0);
-        let outwards = (x * self.normal[0] + y * self.normal[1]).signum();
-        [0, 1].map(|i| centre[i] + outwards * radius * self.normal[i])
+        let turn = if self.is_on_axis {
+            0.0
+        } else {
+            self.mean(|k| {
+                let [x, y] = away(k);
+                (own[0] * y - own[1] * x).atan2(own[0] * x + own[1] * y)
+            })
+        };
+        let (sine, cosine) = turn.sin_cos();
+        let scale = radius / own[0].hypot(own[1]);
+        [
+            centre[0] + scale * (cosine * own[0] - sine * own[1]),
+            centre[1] + scale * (sine * own[0] + cosine * own[1]),
+        ]
     }
 }
 

@@ -48,19 +48,29 @@ impl ThinnedBody {
                     stencil.node().unwrap_or_default()
                 };
                 let facing = facings.get(number);
-                let centre = facing.and_then(|facing| match is_first {
-                    true => facing.centre,
-                    false => facing.second.centre(),
+                let centre = facing.and_then(|facing| {
+                    if is_first {
+                        facing.centre
+                    } else {
+                        facing.second.centre()
+                    }
                 });
-                let places: Vec<Point> = (0..pair.points.len())
-                    .map(|k| body.points()[node(k)])
-                    .collect();
                 for hat in hats.all() {
-                    points.push(hat.place(&places, centre));
                     let terms = hat.terms.iter().enumerate();
                     let term =
                         |(term, (k, _)): (usize, &(usize, f64))| (node(*k), hat.matrix(pair, term));
-                    rows.push(terms.map(term).collect());
+                    let terms: Vec<(usize, Matrix2<f64>)> = terms.map(term).collect();
+                    points.push(match centre {
+                        // As displacements are, so that a turn about it moves the mean as it moves the nodes.
+                        Some(centre) => terms.iter().fold(centre, |sum, (node, matrix)| {
+                            let own = body.points()[*node];
+                            let away =
+                                matrix * Vector2::new(own[0] - centre[0], own[1] - centre[1]);
+                            [sum[0] + away[0], sum[1] + away[1]]
+                        }),
+                        None => [0, 1].map(|i| hat.mean(|k| body.points()[node(k)][i])),
+                    });
+                    rows.push(terms);
                 }
             }
         }

@@ -16,6 +16,7 @@ use self::projection::{Side, Tied};
 use super::plan::{ContactPlan, Placed, Plan};
 use super::{Meshes, ModelEdge, ModelError, loads};
 use crate::results::Choice;
+use crate::series::SeriesBody;
 use stickslip_scene::schema::{Contact, DisplayUnits, SetRef};
 
 /// Pairs, edges, and each body's contact points.
@@ -108,6 +109,7 @@ impl Contacts {
             contact,
             geometry: &geometry,
             half,
+            is_seated: plan.bodies[second.body].seat.is_some(),
             means: body
                 .series
                 .as_ref()
@@ -123,7 +125,10 @@ impl Contacts {
                 .iter()
                 .find_map(|&own| plan.bodies[own].series.as_deref());
             let series = series.filter(|_| bodies.iter().any(is_of_elements));
-            let facing = tied.facing(self.pairs.len(), [&above, &below], &points, series)?;
+            let faced = plan.bodies[second.body].series.as_deref();
+            let faced = faced.map(SeriesBody::nodes);
+            let sides = [&above, &below];
+            let facing = tied.facing(self.pairs.len(), sides, &points, (series, faced))?;
             self.facings.push(facing);
         }
         let local = above.local.clone().collect();

@@ -40,11 +40,16 @@ pub(super) fn build(
         if body.elastic.is_none() {
             continue;
         }
-        let angles = if body.shape.is_round() {
+        let mut angles = if body.shape.is_round() {
             angles::on_circles(body, half)?
         } else {
             Vec::new()
         };
+        if let (Some(seat), None) = (&body.seat, &body.series) {
+            for angle in &mut angles {
+                *angle = seat.facing(*angle);
+            }
+        }
         let partner = partners.get(&index).map(|&partner| &plan.bodies[partner]);
         let made = |most_layers| {
             let meshing = meshing(body, partner, &angles, half, most_layers)?;

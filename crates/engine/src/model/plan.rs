@@ -1,6 +1,7 @@
 //! What a scene says of each body, contact and load: its names are resolved here, and become indices.
 
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use stickslip_fem_core::mesh::Point;
@@ -28,6 +29,7 @@ pub(super) struct Plan<'a> {
 }
 
 /// A body.
+#[derive(Clone)]
 pub(super) struct BodyPlan<'a> {
     pub(super) name: &'a str,
     pub(super) shape: &'a Shape,
@@ -38,6 +40,63 @@ pub(super) struct BodyPlan<'a> {
     pub(super) series: Option<Arc<SeriesBody>>,
     /// Where its centre stands `[mm]`.
     pub(super) centre: Point,
+    /// How it sits in the hole that holds it, where its nodes are to face those of the hole.
+    pub(super) seat: Option<Seat>,
+}
+
+/// How a round body sits in a hole under load: which places of the two face each other.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Seat {
+    /// Angles along the hole `[rad]`, ascending.
+    angles: Vec<f64>,
+    /// By how much the places of the body that face them lie farther along `[rad]`.
+    shifts: Vec<f64>,
+    /// Whether the angles go around.
+    closed: bool,
+}
+
+impl Seat {
+    /// That where the angle `facing` of the body faces each of `angles` of the hole, all around if `closed`, else from axis to axis of a half model.
+    pub(crate) fn new(angles: &[f64], facing: impl Fn(usize) -> f64, closed: bool) -> Self {
+        let shift = |(k, angle): (usize, &f64)| {
+            let apart = facing(k) - angle;
+            apart - TAU * (apart / TAU).round()
+        };
+        let mut shifts: Vec<f64> = angles.iter().enumerate().map(shift).collect();
+        // On the axis of a half model nothing shifts.
+        if let (false, [first, .., last]) = (closed, shifts.as_mut_slice()) {
+            [*first, *last] = [0.0; 2];
+        }
+        Self {
+            angles: angles.to_vec(),
+            shifts,
+            closed,
+        }
+    }
+
+    /// The angle of the body that faces `angle` of the hole.
+    pub(super) fn facing(&self, angle: f64) -> f64 {
+        let (count, first) = (self.angles.len(), self.angles[0]);
+        let at = if self.closed {
+            first + (angle - first).rem_euclid(TAU)
+        } else {
+            angle
+        };
+        let after = self.angles.partition_point(|own| *own <= at);
+        let (from, to) = match after {
+            after if after < count => (after.saturating_sub(1), after),
+            _ if self.closed => (count - 1, 0),
+            _ => (count - 1, count - 1),
+        };
+        let ahead = |from: f64, to: f64| (to - from).rem_euclid(TAU);
+        let width = ahead(self.angles[from], self.angles[to]);
+        let part = if width > 0.0 {
+            (ahead(self.angles[from], at) / width).min(1.0)
+        } else {
+            0.0
+        };
+        angle + (1.0 - part) * self.shifts[from] + part * self.shifts[to]
+    }
 }
 
 /// What an elastic body is made of.
@@ -96,6 +155,16 @@ impl<'a> Plan<'a> {
             platens: platens.map(|of| names.placed(&of.on, of)).collect(),
             loads: scene.loads.iter().map(load).collect(),
             edges: scene.edges.iter().map(|on| names.placed(on, on)).collect(),
+        }
+    }
+
+    /// Seats the second body of each contact as `seats` say where gaps follow the displacement, so that its nodes face those of the first.
+    pub(super) fn seat(&mut self, seats: &[Option<Seat>]) {
+        if !self.finds_gaps_deformed() {
+            return;
+        }
+        for (contact, seat) in self.contacts.iter().zip(seats) {
+            self.bodies[contact.sides[1].body].seat.clone_from(seat);
         }
     }
 
@@ -225,6 +294,7 @@ impl<'a> Names<'a> {
             mesh: self.scene.mesh_of(name).clone(),
             series: None,
             centre: placement::centre(self.scene, name),
+            seat: None,
         }
     }
 }

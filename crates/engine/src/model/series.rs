@@ -47,6 +47,11 @@ pub(super) fn choose(
         }
         let division = division(plan, scene, index);
         let ready = known.and_then(|model| model.bodies[index].series.clone());
+        let fits = |ready: &Arc<SeriesBody>| {
+            let nodes = nodes(plan, index, &division, half);
+            nodes.is_ok_and(|nodes| nodes == *ready.nodes())
+        };
+        let ready = ready.filter(fits);
         let failure = scene.failure.as_ref();
         let is_followed = failure.is_some_and(|failure| failure.progressive.is_some());
         let made_of = match ready {
@@ -374,14 +379,18 @@ fn nodes(
     let own = BodyPlan {
         mesh: division.clone(),
         series: None,
-        ..plan.bodies[index]
+        ..plan.bodies[index].clone()
     };
     if !own.shape.is_round() {
         return Err(format!("is a {}", own.shape.name()));
     }
     let angles = on_circles(&own, half).map_err(|cause| cause.to_string())?;
+    let seated = |angles: Vec<f64>| match &own.seat {
+        Some(seat) => angles.into_iter().map(|angle| seat.facing(angle)).collect(),
+        None => angles,
+    };
     let made = if half {
-        Nodes::mirrored(angles)
+        Nodes::mirrored(seated(angles))
     } else {
         let back = |angle: f64| {
             if angle > PI - 1e-9 {
@@ -392,7 +401,7 @@ fn nodes(
         };
         let mut angles: Vec<f64> = angles.into_iter().map(back).collect();
         angles.sort_by(f64::total_cmp);
-        Nodes::circle(angles)
+        Nodes::circle(seated(angles))
     };
     made.map_err(|cause| format!("has no series: {cause}"))
 }

@@ -172,6 +172,15 @@ pub enum ContactFinding {
         /// What they are.
         numbers: Vec<&'static str>,
     },
+    /// On the deformed geometry its nodes are paired with others that are far from what they face.
+    PairsApart {
+        /// Load steps in which they are.
+        steps: Vec<usize>,
+        /// How far they are at an end of contact at most.
+        apart: Quantity,
+        /// The distance of nodes there.
+        spacing: Quantity,
+    },
     /// Its pressures node by node are not unique, because the first body has more nodes than the soft second one can follow.
     RipplingPressures {
         /// First and second body.

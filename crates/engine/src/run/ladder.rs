@@ -76,6 +76,7 @@ pub(super) fn climb(
             (None, Some(last)) => {
                 let rung = last.rung + 1;
                 climb.models.grade(last, rung);
+                climb.models.seat(last);
                 climb.models.level(rung, &last.substeps, progress).ok()
             }
             _ => None,
@@ -156,7 +157,10 @@ impl Climb<'_> {
             let coarse = self.models.level(0, substeps, progress)?;
             self.models.grade(&coarse, 1);
         }
-        let small = self.models.level(1, substeps, progress)?;
+        let mut small = self.models.level(1, substeps, progress)?;
+        if self.models.seat(&small) {
+            small = self.models.level(1, substeps, progress)?;
+        }
         self.record(&small, None);
         if !is_auto || small.model.pairs.is_empty() {
             return Ok((small, Geometry::default()));
@@ -175,7 +179,10 @@ impl Climb<'_> {
             self.models.kinematics = KinematicsChoice::DeformedGaps;
             geometry = Geometry::default();
         }
-        let base = if matters { deformed } else { small };
+        let mut base = if matters { deformed } else { small };
+        if self.models.seat(&base) {
+            base = self.models.level(1, substeps, progress)?;
+        }
         Ok((base, Geometry { reason, ..geometry }))
     }
 
@@ -310,8 +317,8 @@ impl Climb<'_> {
             for ((edge, fitted), errors) in step.edges.iter_mut().zip(fitted).zip(errors) {
                 let rows = std::mem::take(&mut edge.rows);
                 *edge = EdgeResults {
-                    errors,
                     rows,
+                    errors,
                     ..fitted
                 };
             }

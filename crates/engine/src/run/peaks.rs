@@ -4,6 +4,7 @@ use stickslip_contact::peaks::{EdgeValues, Located, edge_peak, locate_end};
 use stickslip_contact::{ContactState, Contacts, StepRecord};
 
 use super::Solved;
+use super::seats::Faced;
 use crate::model::{Model, ModelEdge};
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, Stated};
 use crate::series::is_isotropic;
@@ -16,16 +17,18 @@ const REACH: i64 = 5;
 pub(super) fn between_nodes(
     model: &Model,
     solved: &Solved,
+    geometries: &[EdgeGeometry],
     (own, rows): (&[Vec<EdgeGeometry>], &[Vec<Vec<usize>>]),
     steps: &mut [Vec<EdgeResults>],
 ) -> Vec<Vec<Errors>> {
     let nodes = own.iter().zip(rows);
     let each = solved.records.iter().zip(nodes).zip(steps);
     let each = each.map(|((record, (own, rows)), step)| {
-        let edges = model.edges.iter().zip(own).zip(rows).zip(step);
+        let all = model.edges.iter().zip(geometries);
+        let edges = all.zip(own).zip(rows).zip(step);
         edges
-            .map(|(((edge, geometry), rows), results)| {
-                if finds_no_cusp(record, results) {
+            .map(|((((edge, all), geometry), rows), results)| {
+                if finds_no_cusp(model, solved, record, (edge, all), (rows, results)) {
                     return Errors::default();
                 }
                 let of = (edge, geometry, rows.as_slice());
@@ -37,10 +40,19 @@ pub(super) fn between_nodes(
     each.collect()
 }
 
-/// Whether the expansions of [`stickslip_contact::peaks`] do not describe the ends of contact: where gaps are those of the deformed geometry and friction acts, pressure falls to zero linearly
-/// over some tenths of a degree, not like a root.
-fn finds_no_cusp(record: &StepRecord, results: &EdgeResults) -> bool {
-    record.contacts.is_some() && results.rows.iter().any(|row| row.shear != 0.0)
+/// Whether the expansions of [`stickslip_contact::peaks`] do not describe the ends of contact: where gaps are those of the deformed geometry and nodes are paired with others that are too far
+/// from what they face, pressure falls to zero linearly, not like a root.
+fn finds_no_cusp(
+    model: &Model,
+    solved: &Solved,
+    record: &StepRecord,
+    (edge, geometry): (&ModelEdge, &EdgeGeometry),
+    (rows, results): (&[usize], &EdgeResults),
+) -> bool {
+    let pair = edge.pair.filter(|_| record.contacts.is_some());
+    let faced = pair.and_then(|pair| Faced::of(model, solved, record, (pair, geometry)));
+    let touches = |row: usize| results.rows[row].status.touches();
+    faced.is_some_and(|faced| faced.apart(rows, touches).is_some())
 }
 
 /// A contact edge in a step, its nodes in the order of growing places along e_t.

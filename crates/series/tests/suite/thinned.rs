@@ -28,7 +28,7 @@ const STEPS: [f64; 4] = [0.4, 1.0, 0.6, 0.1];
 /// A pin in a strip, half of it.
 struct Pin {
     plate: Plate,
-    pin: Disk,
+    disk: Disk,
     interface: Interface,
     facings: Vec<Facing>,
     edges: Vec<EdgeNodes>,
@@ -92,12 +92,12 @@ impl Pin {
                 mirrored: [true; 2],
             }],
             plate,
-            pin,
+            disk: pin,
         }
     }
 
     fn bodies(&self) -> [&dyn InterfaceOperator; 2] {
-        [&self.plate, &self.pin]
+        [&self.plate, &self.disk]
     }
 
     fn kinematics(&self, deformed: bool) -> Kinematics<'_> {

@@ -116,6 +116,11 @@ fn of_a_contact() -> Vec<Finding> {
             steps: steps(),
             numbers: vec!["peak pressure", "peak tangential stress"],
         },
+        ContactFinding::PairsApart {
+            steps: steps(),
+            apart: Quantity::Angle(0.01),
+            spacing: Quantity::Angle(0.005),
+        },
         ContactFinding::RipplingPressures {
             bodies: bodies(),
             nodes: [30, 10],

@@ -2,6 +2,7 @@
 
 use stickslip_contact::deformed::{Curve, CurveEnds};
 use stickslip_contact::{ContactPoint, Facing, Stencil};
+use stickslip_series::Nodes;
 
 use super::projection::{Side, Tied};
 use crate::model::ModelError;
@@ -13,13 +14,14 @@ use stickslip_scene::schema::GapKind;
 const EQUAL: f64 = 1e-9;
 
 impl Tied<'_> {
-    /// The edges `first` and `second` of the contact with the number `index`, tied at `points`; `beside_elements` is the body by series that touches one of elements.
+    /// The edges `first` and `second` of the contact with the number `index`, tied at `points`; `beside_elements` is the body by series that touches one of elements, `faced` are the nodes of
+    /// a second body by series.
     pub(super) fn facing(
         &self,
         index: usize,
         [first, second]: [&Side<'_>; 2],
         points: &[ContactPoint],
-        beside_elements: Option<&SeriesBody>,
+        (beside_elements, faced): (Option<&SeriesBody>, Option<&Nodes>),
     ) -> Result<Facing, ModelError> {
         beside_elements.map_or(Ok(()), check_spacing)?;
         if self.contact.gap != GapKind::Exact {
@@ -51,10 +53,17 @@ impl Tied<'_> {
             }
             _ => first.position(k),
         };
+        let (angles, means) = match faced {
+            // Nodes of a second body may stand where those of the first face them.
+            Some(faced) if !are_equal(faced.angles(), &second.edge.parameter) => {
+                (faced.angles().to_vec(), Some(faced.mean_angles()))
+            }
+            _ => (second.edge.parameter.clone(), means.cloned()),
+        };
         let curve = Curve::new(
             self.geometry.second(edge.centre.unwrap_or_default()),
             (0..nodes).map(|k| second.local.start + k).collect(),
-            second.edge.parameter.clone(),
+            angles,
             second.edge.order,
             if round && !self.half {
                 CurveEnds::Closed
@@ -65,7 +74,7 @@ impl Tied<'_> {
             },
         );
         let curve = match means {
-            Some(means) => curve.and_then(|curve| curve.standing_at(means.clone())),
+            Some(means) => curve.and_then(|curve| curve.standing_at(means)),
             None => curve,
         };
         Ok(Facing {

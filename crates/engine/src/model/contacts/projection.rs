@@ -123,6 +123,8 @@ pub(super) struct Tied<'a> {
     pub(super) contact: &'a Contact,
     pub(super) geometry: &'a Geometry,
     pub(super) half: bool,
+    /// Whether nodes of the second edge stand where those of the first face it, not at the same places.
+    pub(super) is_seated: bool,
     /// Where nodal forces on the first edge act, as in its parameter, if it is that of a series; otherwise at the nodes.
     pub(super) means: Option<Vec<f64>>,
     /// Thickness `[mm]` and angle of the 1-axis `[rad]` of the first body.
@@ -209,7 +211,7 @@ impl Tied<'_> {
             .parameter
             .iter()
             .fold(0.0_f64, |most, at| most.max(at.abs()));
-        (apart > SAME_PLACE * extent).then(|| {
+        (apart > SAME_PLACE * extent && !self.is_seated).then(|| {
             let shown = match first.kind {
                 EdgeKind::Circle { .. } => format!("{:.3}°", apart.to_degrees()),
                 EdgeKind::Line => self.length.show(apart),

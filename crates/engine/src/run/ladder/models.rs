@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use stickslip_contact::{Interface, InterfaceSolver};
+use stickslip_fem_core::InterfaceOperator;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
 
@@ -12,8 +14,9 @@ use super::grading::Grading;
 use super::limits::Missing;
 use super::numbers::Numbers;
 use super::thinning;
-use crate::model::Model;
+use crate::model::{Model, Seat};
 use crate::results::{EdgeGeometry, EdgeResults};
+use crate::run::seats;
 use crate::run::{
     Assembled, Operator, Progress, RunError, Solved, assemble, edges, fields, follow, peaks,
 };
@@ -73,6 +76,7 @@ struct Made {
     rung: usize,
     graded: Option<Graded>,
     kinematics: KinematicsChoice,
+    seats: Vec<Option<Seat>>,
     model: Model,
     operators: Vec<Operator>,
     interface: Interface,
@@ -99,6 +103,8 @@ pub(super) struct Models<'a> {
     division: Division,
     /// How the contact nodes of rungs by series are graded, by rung.
     graded: BTreeMap<usize, Graded>,
+    /// How bodies sit in the holes of the graded models that follow.
+    seats: Vec<Option<Seat>>,
     /// What was made last.
     made: Option<Made>,
     /// On which geometry contact is found.
@@ -121,6 +127,7 @@ impl<'a> Models<'a> {
             solver,
             division,
             graded: BTreeMap::new(),
+            seats: Vec::new(),
             made: None,
             kinematics: scene.kinematics(),
         })
@@ -168,6 +175,7 @@ impl<'a> Models<'a> {
     /// Grades the nodes of `rung` towards the places where contact changes in `level`, a coarser model, if they are those of series.
     pub(super) fn grade(&mut self, level: &Level, rung: usize) {
         if self.is_graded() {
+            self.seats = seats::seats(&level.model, &level.solved);
             let half = level.model.half;
             let widest = PI / INTERVALS as f64;
             let graded =
@@ -178,6 +186,20 @@ impl<'a> Models<'a> {
                 self.graded.insert(rung, graded(true));
             }
         }
+    }
+
+    /// Seats bodies in their holes as they sit in `level`, where nodes of elements that are paired there are too far apart on the deformed geometry; whether the models that follow differ
+    /// by that.
+    pub(super) fn seat(&mut self, level: &Level) -> bool {
+        if self.is_graded() {
+            return false;
+        }
+        let wanted = seats::wanted(&level.model, &level.solved);
+        let is_wanted = wanted.is_some();
+        if let Some(seats) = wanted {
+            self.seats = seats;
+        }
+        is_wanted
     }
 
     /// Solves the model of a rung; rung 0 is the coarsest, and finer ones whose nodes are graded need [`grade`](Self::grade) of a coarser one.
@@ -210,7 +232,7 @@ impl<'a> Models<'a> {
         let (geometries, mut steps) = edges::all(&model, &solved, &recovered)?;
         let rows = thinning::rows(&solved, &model, &steps);
         let own = thinning::own_rows(&geometries, &rows, &mut steps);
-        let fitted = peaks::between_nodes(&model, &solved, (&own, &rows), &mut steps);
+        let fitted = peaks::between_nodes(&model, &solved, &geometries, (&own, &rows), &mut steps);
         let end = host.seconds();
         Ok(Level {
             rung,
@@ -241,16 +263,24 @@ impl<'a> Models<'a> {
         let start = self.scene.host().seconds();
         let graded = self.graded.get(&rung).filter(|_| self.is_graded()).cloned();
         let kinematics = self.kinematics;
+        let seats = self.seats.clone();
         let last = self.made.take();
         let made = match last.filter(|made| made.rung == rung && made.graded == graded) {
-            Some(made) if made.kinematics == kinematics => made,
-            Some(made) => Made {
-                model: Model::build_on(scene, Some(&made.model))?,
-                kinematics,
-                ..made
-            },
-            None => {
-                let model = Model::build(scene)?;
+            Some(made) if made.kinematics == kinematics && made.seats == seats => made,
+            Some(made) if self.is_graded() || made.seats == seats => {
+                let model = Model::build_on(scene, Some(&made.model), &self.seats)?;
+                let (operators, interface) = reassemble(&model, made.operators)?;
+                Made {
+                    kinematics,
+                    seats,
+                    model,
+                    operators,
+                    interface,
+                    ..made
+                }
+            }
+            _ => {
+                let model = Model::build_on(scene, None, &self.seats)?;
                 let Assembled {
                     operators,
                     interface,
@@ -260,6 +290,7 @@ impl<'a> Models<'a> {
                     rung,
                     graded,
                     kinematics,
+                    seats,
                     model,
                     operators,
                     interface,
@@ -281,7 +312,7 @@ impl<'a> Models<'a> {
         match self.division {
             Division::Series => match graded {
                 Some(graded) => {
-                    scene.mesh.division = MeshDivision::AngleList(graded.angles.clone())
+                    scene.mesh.division = MeshDivision::AngleList(graded.angles.clone());
                 }
                 None => scene.analysis.contact_nodes = Some((INTERVALS << rung) + 1),
             },
@@ -313,14 +344,28 @@ impl<'a> Models<'a> {
     }
 }
 
+/// `operators` with the bodies by series of `model`, and the interface between them.
+fn reassemble(
+    model: &Model,
+    operators: Vec<Operator>,
+) -> Result<(Vec<Operator>, Interface), RunError> {
+    let renewed = operators.into_iter().zip(&model.bodies);
+    let renewed = renewed.map(|(operator, body)| match &body.series {
+        Some(series) => Operator::Series(Arc::clone(series)),
+        None => operator,
+    });
+    let operators: Vec<Operator> = renewed.collect();
+    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
+    let interface = Interface::new(&faces, model.pairs.clone())?;
+    drop(faces);
+    Ok((operators, interface))
+}
+
 /// A division where each load step has the nodes `chosen` of it.
 fn described(division: String, chosen: Option<&[Vec<usize>]>) -> String {
     let most = chosen.and_then(|steps| steps.iter().map(Vec::len).max());
     match most {
-        Some(most) => division.replace(
-            " graded nodes",
-            &format!(" graded nodes, up to {most} in a step"),
-        ),
+        Some(most) => format!("{division}, up to {most} in a step"),
         None => division,
     }
 }

@@ -51,6 +51,18 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             of.join(" and the "),
             numbers(steps)
         ),
+        ContactFinding::PairsApart {
+            steps,
+            apart,
+            spacing,
+        } => format!(
+            "Contact '{name}' moves along itself in load step {}: on the deformed geometry nodes are paired with others up to {} from what they face, where \
+             nodes are {} apart. Pressure and stress are smeared out over as much at the ends of contact; the peak of the stress may be some percent too low. \
+             Without a mesh, and in half models, nodes are put where they face each other; a coarser mesh there has less of it.",
+            numbers(steps),
+            shown(*apart, units),
+            shown(*spacing, units)
+        ),
         ContactFinding::RipplingPressures {
             bodies,
             nodes,

@@ -1,0 +1,184 @@
+//! Which places of two circles face each other under load, and how far these are from the nodes that are paired.
+//!
+//! Contact with deformed gaps takes displacements of the second edge at the place that is closest to a node of the first one. It follows them from the paired node by their derivative, so the
+//! pair must stand closer than displacements bend: beside an end of contact, where they have a root, closer than nodes are to each other. A pin moves along its hole by as much as its clearance
+//! and by slip. So nodes of the second circle are put where those of the first face it in the step with the largest contact force.
+
+use std::f64::consts::TAU;
+
+use stickslip_contact::StepRecord;
+use stickslip_contact::deformed::is_free_to_turn;
+
+use super::Solved;
+use crate::model::{Model, ModelEdge, Seat};
+use crate::results::{ContactFinding, EdgeGeometry, EdgeKind, Finding, Quantity};
+
+/// Part of the distance of nodes beyond which pairs are too far apart.
+const APART: f64 = 0.5;
+
+/// Two circles in a load step.
+pub(super) struct Faced {
+    /// Angles of the contact points on the first circle `[rad]`, those that face them on the second one, and those of its nodes.
+    first: Vec<f64>,
+    facing: Vec<f64>,
+    paired: Vec<f64>,
+    closed: bool,
+}
+
+impl Faced {
+    /// The circles of the pair with the index `pair` and the edge `geometry` in the step of `record`; `None` for other contacts.
+    pub(super) fn of(
+        model: &Model,
+        solved: &Solved,
+        record: &StepRecord,
+        (pair, geometry): (usize, &EdgeGeometry),
+    ) -> Option<Self> {
+        let EdgeKind::Circle { centre, radius } = geometry.kind else {
+            return None;
+        };
+        let edges = model.facings.get(pair);
+        let first: Vec<f64> = match edges {
+            Some(edges) => {
+                let angle = |([x, y], node): (&[f64; 2], &f64)| {
+                    node + apart((y - centre[1]).atan2(x - centre[0]), *node)
+                };
+                edges
+                    .first
+                    .iter()
+                    .zip(&geometry.parameter)
+                    .map(angle)
+                    .collect()
+            }
+            None => geometry.parameter.clone(),
+        };
+        let paired = edges.map_or_else(|| first.clone(), |edges| edges.second.places().to_vec());
+        let start = solved.interface.contacts().pair_points(pair).start;
+        let clearance = model.contacts[pair].clearance;
+        let moved = |k: usize| record.state.tangential_displacement(start + k);
+        let bodies = [&model.pairs[pair].first, &model.pairs[pair].second];
+        let turns = bodies.map(|&body| is_free_to_turn(solved.operators[body].interface()));
+        // A circle that turns about its centre faces what it faced.
+        let turn = if turns.contains(&true) {
+            let points = model.pairs[pair].points.iter().enumerate();
+            let sums = points.fold([0.0; 2], |[sum, whole], (k, point)| {
+                [sum + point.area * moved(k), whole + point.area]
+            });
+            sums[0] / sums[1]
+        } else {
+            0.0
+        };
+        let facing = |(k, angle): (usize, &f64)| {
+            let (sine, cosine) = angle.sin_cos();
+            // Without load the second circle touches at 0; from there the first moves along it.
+            let there = (radius * sine).atan2(radius * cosine - clearance);
+            angle + apart(there, *angle) + (moved(k) - turn) / (radius - clearance)
+        };
+        Some(Self {
+            facing: first.iter().enumerate().map(facing).collect(),
+            first,
+            paired,
+            closed: !geometry.half,
+        })
+    }
+
+    /// Angle `[rad]` from the node that is paired with the point `k` of the first circle to the place that faces it.
+    fn travel(&self, k: usize) -> f64 {
+        apart(self.facing[k], self.paired[k])
+    }
+
+    /// The largest angle from a node to the place that faces its pair where contact ends, and the distance of nodes there `[rad]`, if it is more than a part of that; `rows` are
+    /// the points that are nodes, and `touches` says which of them touch.
+    pub(super) fn apart(
+        &self,
+        rows: &[usize],
+        touches: impl Fn(usize) -> bool,
+    ) -> Option<[f64; 2]> {
+        let ends = (1..rows.len()).filter(|&k| touches(k) != touches(k - 1));
+        let apart = ends.filter_map(|k| {
+            let [from, to] = [rows[k - 1], rows[k]];
+            let width = apart(self.first[to], self.first[from]).abs();
+            let travel = self.travel(from).abs().max(self.travel(to).abs());
+            (travel > APART * width).then_some([travel, width])
+        });
+        apart.max_by(|one, other| (one[0] / one[1]).total_cmp(&(other[0] / other[1])))
+    }
+
+    fn seat(&self) -> Seat {
+        Seat::new(&self.first, |k| self.facing[k], self.closed)
+    }
+}
+
+/// The angle from `from` to `to` on the shorter way.
+fn apart(to: f64, from: f64) -> f64 {
+    let apart = to - from;
+    apart - TAU * (apart / TAU).round()
+}
+
+/// How the second bodies of contacts sit in the step with the largest contact force.
+pub(super) fn seats(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
+    let seat = |pair: usize| {
+        let geometry = &edge_of(model, pair)?.geometry;
+        let force = |record: &StepRecord| record.audit.pairs[pair].normal;
+        let records = solved.records.iter();
+        let largest = records.max_by(|one, other| force(one).total_cmp(&force(other)))?;
+        Some(Faced::of(model, solved, largest, (pair, geometry))?.seat())
+    };
+    (0..model.pairs.len()).map(seat).collect()
+}
+
+/// The same where nodes that are paired on the deformed geometry are too far apart in `solved`, and bodies can be seated: those by series, and halves of elements.
+pub(super) fn wanted(model: &Model, solved: &Solved) -> Option<Vec<Option<Seat>>> {
+    let is_wanted = |pair: usize| {
+        let second = &model.bodies[model.pairs[pair].second];
+        (model.half || second.series.is_some()) && !doubtful(model, solved, pair).is_empty()
+    };
+    let pairs = 0..model.pairs.len();
+    let mut seats = seats(model, solved);
+    let mut any = false;
+    for (pair, seat) in pairs.zip(&mut seats) {
+        if is_wanted(pair) {
+            any = true;
+        } else {
+            *seat = None;
+        }
+    }
+    any.then_some(seats)
+}
+
+/// What a reader must know of contacts whose nodes are paired too far from what they face.
+pub(super) fn findings(model: &Model, solved: &Solved) -> Vec<Finding> {
+    let finding = |pair: usize| {
+        let steps = doubtful(model, solved, pair);
+        let worst = steps.iter().map(|(_, apart)| *apart);
+        let ratio = |[travel, width]: [f64; 2]| travel / width;
+        let [travel, spacing] = worst.max_by(|one, other| ratio(*one).total_cmp(&ratio(*other)))?;
+        let found = ContactFinding::PairsApart {
+            steps: steps.iter().map(|(step, _)| *step).collect(),
+            apart: Quantity::Angle(travel),
+            spacing: Quantity::Angle(spacing),
+        };
+        Some(Finding::about(&model.pairs[pair].name, found))
+    };
+    (0..model.pairs.len()).filter_map(finding).collect()
+}
+
+/// The load steps, counted from 1, in which nodes of `pair` are paired too far apart, with how far and the distance of nodes.
+fn doubtful(model: &Model, solved: &Solved, pair: usize) -> Vec<(usize, [f64; 2])> {
+    let Some(edge) = edge_of(model, pair).filter(|_| !model.facings.is_empty()) else {
+        return Vec::new();
+    };
+    let points = solved.interface.contacts().pair_points(pair);
+    let rows: Vec<usize> = (0..points.len()).collect();
+    let steps = solved.records.iter().zip(1..);
+    steps
+        .filter_map(|(record, step)| {
+            let faced = Faced::of(model, solved, record, (pair, &edge.geometry))?;
+            let touches = |k: usize| record.state.status[points.start + k].touches();
+            Some((step, faced.apart(&rows, touches)?))
+        })
+        .collect()
+}
+
+fn edge_of(model: &Model, pair: usize) -> Option<&ModelEdge> {
+    model.edges.iter().find(|edge| edge.pair == Some(pair))
+}
