@@ -41,6 +41,10 @@
 //! smaller. So places, gaps, normals and slips are those of the derivative by three nodes, and the forces are moved by D. What δ² D² u₂/2 would add is an error; beyond [`LARGEST_ERROR`] the
 //! increment is refused ([`FailureCause::Apart`](crate::solver::FailureCause::Apart)).
 //!
+//! That bounds the error of a displacement, not of its root at an end of contact: where δ exceeds the distance of nodes, pressure falls to zero linearly over about δ instead, and the stress along the
+//! edge loses its cusp. A pin with clearance c that is paired at equal angles has δ = (c/R) sin θ before any slip. So the nodes of the second edge should stand where those of
+//! the first face them under load; [`Curve::places`] says where they are.
+//!
 //! # Bodies that turn
 //!
 //! A circle that turns about its centre stays where it is. The mean turn φ of a circular edge of a body that is free to turn is left out of x₁

@@ -195,10 +195,9 @@ impl StepPlaces {
             let last = if geometry.half { count - 1 } else { count };
             let ends = (0..last).filter(|k| rows[*k].status != rows[(k + 1) % count].status);
             changes.extend(ends.map(|k| [at(k), at(k + 1)]));
-            let Some(extent) = results.contact_half_extent else {
-                continue;
-            };
-            let spacing = coarse * (2.0 * extent / WIDE).min(1.0);
+            // Contact all around, or in several pieces, has no extent.
+            let extent = results.contact_half_extent;
+            let spacing = coarse * extent.map_or(1.0, |extent| (2.0 * extent / WIDE).min(1.0));
             let touching: Vec<bool> = rows.iter().map(|row| row.status.touches()).collect();
             let mut from = 0;
             for run in touching.chunk_by(|one, other| one == other) {
