@@ -11,21 +11,22 @@ mod progressive;
 mod remarks;
 mod reported;
 mod seats;
+mod solved;
 
 use std::sync::Arc;
 
 use stickslip_contact::history::Otherwise;
 use stickslip_contact::interface::Group;
-use stickslip_contact::thinned::Thinned;
 use stickslip_contact::{ContactError, Contacts, Interface, InterfaceSolver, StepRecord};
+use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::parallel;
 use stickslip_fem_core::stress::StressError;
-use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_laminate::FailureError;
 use thiserror::Error;
 
 pub use progressive::ProgressiveRunError;
+pub use solved::{Operator, OwnNodes, Solved};
 
 use crate::load_scale::LoadScale;
 use crate::model::{self, Model, ModelBodyKind, ModelError};
@@ -91,85 +92,6 @@ pub enum Progress {
         /// Steps in all.
         total: usize,
     },
-}
-
-/// A body as the interface problem sees it.
-#[derive(Clone, Debug)]
-pub enum Operator {
-    /// Condensed finite elements.
-    Elastic(Arc<CondensedBody>),
-    /// A series.
-    Series(Arc<SeriesBody>),
-    /// Rigid.
-    Rigid(stickslip_fem_core::RigidBody),
-}
-
-impl Operator {
-    /// The operator's common face.
-    pub fn interface(&self) -> &dyn InterfaceOperator {
-        match self {
-            Self::Elastic(body) => body.as_ref(),
-            Self::Series(body) => body.interface(),
-            Self::Rigid(body) => body,
-        }
-    }
-
-    /// The body by series, if it is one.
-    pub fn series(&self) -> Option<&SeriesBody> {
-        match self {
-            Self::Series(body) => Some(body),
-            Self::Elastic(_) | Self::Rigid(_) => None,
-        }
-    }
-
-    /// The condensed body, if it is made of finite elements.
-    pub fn elastic(&self) -> Option<&CondensedBody> {
-        match self {
-            Self::Elastic(body) => Some(body),
-            Self::Series(_) | Self::Rigid(_) => None,
-        }
-    }
-}
-
-/// A model whose history has been followed.
-#[derive(Debug)]
-pub struct Solved {
-    /// One operator per body.
-    pub operators: Vec<Operator>,
-    /// All contacts, in independent parts.
-    pub interface: Interface,
-    /// One record per load step.
-    pub records: Vec<StepRecord>,
-    /// The nodes of every load step, where these are not all.
-    pub own: Option<OwnNodes>,
-    /// Wall time of each load step `[s]`.
-    pub step_seconds: Vec<f64>,
-    /// Wall time of the phases `[s]`.
-    pub phases: Vec<(&'static str, f64)>,
-}
-
-/// Load steps on nodes of their own.
-#[derive(Debug)]
-pub struct OwnNodes {
-    /// The contacts of every step.
-    pub thinned: Vec<Thinned>,
-    /// One record per load step, of its own points.
-    pub records: Vec<StepRecord>,
-}
-
-impl Solved {
-    /// Forces `[N]` on the contact points of body `body` at the end of the load step `record`, interleaved, at the places where they act.
-    pub fn forces_on_body(&self, record: &StepRecord, body: usize) -> Vec<f64> {
-        if let Some(on_bodies) = &record.on_bodies {
-            return on_bodies[body].clone();
-        }
-        let count = self.operators[body].interface().points().len();
-        let forces = &record.state.forces;
-        match &record.contacts {
-            Some(contacts) => contacts.forces_on_body(body, count, forces),
-            None => self.interface.forces_on_body(body, count, forces),
-        }
-    }
 }
 
 /// Runs `scene` and reports to `progress`. Where the scene asks for an accuracy or gives no mesh, finer and finer models are tried until their

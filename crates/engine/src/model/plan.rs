@@ -298,3 +298,28 @@ impl<'a> Names<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    #[test]
+    fn seats_go_on_around_a_circle_and_rest_on_the_axis() {
+        let angles: Vec<f64> = (0..90).map(|k| TAU / 90.0 * f64::from(k) - PI).collect();
+        let facing = |angle: f64| angle + 0.01 * (2.0 * angle).sin() - 0.02;
+        let whole = Seat::new(&angles, |k| facing(angles[k]), true);
+        for angle in [-PI, -3.1, 0.3, 3.1, 3.2, 2.0 * PI] {
+            assert!(
+                (whole.facing(angle) - facing(angle)).abs() < 3e-5,
+                "{angle}"
+            );
+        }
+        let upper: Vec<f64> = (0..=45).map(|k| PI / 45.0 * f64::from(k)).collect();
+        let half = Seat::new(&upper, |k| upper[k] + 0.01 * upper[k].sin() + 1e-9, false);
+        assert_eq!(half.facing(0.0).to_bits(), 0.0_f64.to_bits());
+        assert_eq!(half.facing(PI).to_bits(), PI.to_bits());
+        assert!((half.facing(1.0) - 1.0 - 0.01 * 1.0_f64.sin()).abs() < 1e-5);
+    }
+}

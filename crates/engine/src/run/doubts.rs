@@ -6,8 +6,8 @@ use stickslip_contact::history::{Difference, Missing, Otherwise};
 use stickslip_contact::solver::Residuals;
 use stickslip_contact::{ContactPair, ContactPoint, Stencil, StepRecord};
 
-use super::Solved;
 use super::remarks::steps_where;
+use super::solved::Solved;
 use crate::model::Model;
 use crate::results::{
     ContactFinding, CutBackEffect, EdgeGeometry, EdgeResults, Finding, SolverDependence,

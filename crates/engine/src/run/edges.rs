@@ -10,10 +10,10 @@ use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_
 
 use stickslip_series::PolarStress;
 
-use super::Solved;
 use super::bearing;
 use super::fields::Recovered;
 use super::reported::{Reported, clear_friction, clear_stresses, clear_sums, reported};
+use super::solved::Solved;
 use crate::model::{Model, ModelBodyKind, ModelEdge};
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, wrapped};
 use crate::series::{SeriesBody, SeriesError, stress_at};

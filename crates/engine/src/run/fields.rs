@@ -7,7 +7,7 @@ use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::stress::{ElasticField, StressError};
 
-use super::{Operator, Solved};
+use super::solved::{Operator, Solved};
 use crate::model::Model;
 use crate::results::BodyFields;
 use crate::series::{SeriesBody, stress_at};

@@ -3,8 +3,8 @@
 use stickslip_contact::peaks::{EdgeValues, Located, edge_peak, locate_end};
 use stickslip_contact::{ContactState, Contacts, StepRecord};
 
-use super::Solved;
 use super::seats::Faced;
+use super::solved::Solved;
 use crate::model::{Model, ModelEdge};
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, Stated};
 use crate::series::is_isotropic;

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use stickslip_contact::StepRecord;
 use stickslip_contact::deformed::is_free_to_turn;
 
-use super::Solved;
+use super::solved::Solved;
 use crate::model::{Model, ModelEdge, Seat};
 use crate::results::{ContactFinding, EdgeGeometry, EdgeKind, Finding, Quantity};
 

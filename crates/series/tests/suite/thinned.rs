@@ -1,6 +1,6 @@
 //! Load steps on some of the nodes, of a pin with friction in a strip, beside the same steps on all of them.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use stickslip_contact::deformed::{Curve, CurveEnds, CurveShape};
@@ -25,7 +25,7 @@ const FORCE: f64 = 4e-3;
 /// Load steps in parts of the largest force.
 const STEPS: [f64; 4] = [0.4, 1.0, 0.6, 0.1];
 
-/// A pin in a strip, half of it.
+/// A pin in a strip, half of it or the whole.
 struct Pin {
     plate: Plate,
     disk: Disk,
@@ -35,8 +35,15 @@ struct Pin {
 }
 
 impl Pin {
-    fn new(angles: Vec<f64>) -> Self {
-        let nodes = Nodes::mirrored(angles).unwrap();
+    /// Its nodes stand at `upper`, from 0 to π, and in the whole at their images.
+    fn new(upper: &[f64], half: bool) -> Self {
+        let nodes = if half {
+            Nodes::mirrored(upper.to_vec()).unwrap()
+        } else {
+            let lower = upper[1..].iter().rev().map(|angle| -angle);
+            let inner = upper[..upper.len() - 1].iter().copied();
+            Nodes::circle(lower.chain(inner).collect()).unwrap()
+        };
         let metal = Isotropic::new(1.0, 0.3, PlaneState::Stress).unwrap();
         let pull = vec![EdgeLoad {
             edge: 3,
@@ -64,8 +71,12 @@ impl Pin {
             points: points.collect(),
             law: Arc::new(Coulomb::new(0.3).unwrap()),
         };
-        let ends = CurveEnds::Open {
-            mirrored: [true; 2],
+        let ends = if half {
+            CurveEnds::Open {
+                mirrored: [true; 2],
+            }
+        } else {
+            CurveEnds::Closed
         };
         // The pin touches at θ = 0, so its centre stands off by the clearance.
         let rim = CurveShape::Circle {
@@ -88,8 +99,8 @@ impl Pin {
             facings: vec![facing],
             edges: vec![EdgeNodes {
                 parameter: angles,
-                closed: None,
-                mirrored: [true; 2],
+                closed: (!half).then_some(TAU),
+                mirrored: [half; 2],
             }],
             plate,
             disk: pin,
@@ -164,58 +175,60 @@ fn apart(one: &[[f64; 2]], other: &[[f64; 2]]) -> f64 {
 
 #[test]
 fn all_nodes_chosen_change_nothing() {
-    let pin = Pin::new(uneven());
-    for deformed in [false, true] {
+    for (half, deformed) in [(true, false), (true, true), (false, false), (false, true)] {
+        let pin = Pin::new(&uneven(), half);
         let all: Vec<usize> = (0..pin.edges[0].parameter.len()).collect();
         let found = pin.thinned(deformed, |_| all.clone());
         for (found, known) in found.iter().zip(&pin.followed(deformed)) {
             let [found, known] = [found, known].map(|record| pin.pressures(record));
-            assert!(apart(&found, &known) < 1e-9, "{:e}", apart(&found, &known));
+            let apart = apart(&found, &known);
+            assert!(apart < 1e-9, "{half} {deformed}: {apart:e}");
         }
     }
 }
 
-/// Every second node, the even ones and the odd ones in turn, and few where nothing touches: friction carries over from nodes to others, and bodies balance as on all nodes.
+/// Every second node, the even ones and the odd ones in turn, and few where nothing touches: friction carries over from nodes to others, and bodies balance as on all nodes. A whole pin is
+/// free to turn, and held by friction alone.
 #[test]
 fn states_go_over_to_other_nodes() {
-    let pin = Pin::new(uneven());
-    let last = pin.edges[0].parameter.len() - 1;
-    let chosen = |step: usize| {
-        let mut own: Vec<usize> = (0..=last)
-            .filter(|&k| k < 80 && k % 2 == step % 2 || k % 20 == 0)
-            .collect();
-        if own[0] != 0 {
-            own.insert(0, 0);
-        }
-        own
-    };
-    for deformed in [false, true] {
+    for (half, deformed) in [(true, false), (true, true), (false, false), (false, true)] {
+        let pin = Pin::new(&uneven(), half);
+        let angles = &pin.edges[0].parameter;
+        let last = angles.len() - 1;
+        let zero = angles.iter().position(|angle| *angle == 0.0).unwrap();
+        let chosen = |step: usize| -> Vec<usize> {
+            let is_chosen = |k: usize| {
+                let away = k.abs_diff(zero);
+                k == 0 || away == 0 || away % 20 == 0 || away < 80 && away % 2 == step % 2
+            };
+            (0..=last).filter(|&k| is_chosen(k)).collect()
+        };
         let found = pin.thinned(deformed, chosen);
         for (step, (found, known)) in found.iter().zip(&pin.followed(deformed)).enumerate() {
             let sums = [found, known].map(|record| record.audit.pairs[0].resultant[0]);
             let part = STEPS[step] * FORCE;
             assert!((sums[0] - sums[1]).abs() < 2e-6 * part, "{sums:?}");
-            let [mut one, mut other] = [found, known].map(|record| pin.pressures(record));
+            let balance = found.audit.balance();
+            assert!(balance < 1e-9, "{balance:e}");
             // Within contact and stick, away from their ends, where errors fall with the root of the spacing.
+            let status = |k: usize| known.state.status[k.min(last)];
             let inner = |k: usize| {
-                let near = (k.saturating_sub(8)..=k + 8).map(|k| known.state.status[k.min(last)]);
-                near.into_iter()
-                    .all(|status| status == known.state.status[k])
+                let near = k.saturating_sub(8)..=k + 8;
+                near.into_iter().all(|near| status(near) == status(k))
             };
-            let kept: Vec<bool> = (0..=last).map(inner).collect();
-            let mut keep = kept.iter();
-            one.retain(|_| *keep.next().unwrap());
-            let mut keep = kept.iter();
-            other.retain(|_| *keep.next().unwrap());
-            let apart = apart(&one, &other);
-            assert!(apart < 4e-3, "step {step}: {apart:e}");
+            let of = |record: &StepRecord| -> Vec<[f64; 2]> {
+                let all = pin.pressures(record).into_iter().enumerate();
+                all.filter(|(k, _)| inner(*k)).map(|(_, own)| own).collect()
+            };
+            let apart = apart(&of(found), &of(known));
+            assert!(apart < 4e-3, "{half} {deformed}, step {step}: {apart:e}");
         }
     }
 }
 
 #[test]
 fn choices_that_make_no_hats_are_refused() {
-    let pin = Pin::new(uneven());
+    let pin = Pin::new(&uneven(), true);
     let bodies = pin.bodies();
     let whole = Whole::new(
         &bodies,

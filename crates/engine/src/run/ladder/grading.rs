@@ -202,12 +202,76 @@ impl StepPlaces {
             let mut from = 0;
             for run in touching.chunk_by(|one, other| one == other) {
                 let to = from + run.len();
-                if run[0] {
+                if run[0] && run.len() == count && !geometry.half {
+                    contacts.push(Place {
+                        middle: 0.0,
+                        reach: PI,
+                        spacing,
+                    });
+                } else if run[0] {
                     contacts.push(Place::between([at(from), at(to.min(last))], spacing));
                 }
                 from = to;
             }
         }
         Self { changes, contacts }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DEGREE: f64 = PI / 180.0;
+
+    /// Ends of contact at 40° in the first step and at 80° in the second, known to a tenth of a degree.
+    fn grading() -> Grading {
+        let end = |at: f64| Place::between([at * DEGREE, (at + 0.1) * DEGREE], 0.1 * DEGREE);
+        let contact = |to: f64| Place::between([0.0, to * DEGREE], 0.75 * DEGREE);
+        Grading {
+            widest: 6.0 * DEGREE,
+            coarse: 0.75 * DEGREE,
+            steps: vec![
+                vec![end(40.0), contact(40.0)],
+                vec![end(80.0), contact(80.0)],
+            ],
+        }
+    }
+
+    #[test]
+    fn steps_have_the_spacing_that_they_want() {
+        let grading = grading();
+        for half in [true, false] {
+            let angles = grading.angles(half);
+            for (step, places) in grading.steps.iter().enumerate() {
+                let chosen = grading.chosen(step, &angles, half);
+                assert!(5 * chosen.len() < 4 * angles.len());
+                assert_eq!(chosen[0], 0);
+                assert!(!half || chosen[chosen.len() - 1] == angles.len() - 1);
+                for pair in chosen.windows(2) {
+                    let [from, to] = [angles[pair[0]], angles[pair[1]]];
+                    let wanted = [from, to].map(|at| spacing(places, at, grading.widest));
+                    // Where all nodes stand as far apart as wanted they may do so by rounding more.
+                    let most = 1.05 * wanted[0].min(wanted[1]);
+                    assert!(to - from <= most || pair[1] == pair[0] + 1);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn places_keep_their_spacing() {
+        let grading = grading();
+        let angles = grading.angles(true);
+        for (step, at) in [(0, 40.05), (1, 80.05)] {
+            let chosen = grading.chosen(step, &angles, true);
+            let near = chosen.windows(2).filter(|pair| {
+                let middle = 0.5 * (angles[pair[0]] + angles[pair[1]]);
+                (middle - at * DEGREE).abs() < 0.05 * DEGREE
+            });
+            for pair in near {
+                assert!(angles[pair[1]] - angles[pair[0]] < 0.11 * DEGREE);
+            }
+        }
     }
 }

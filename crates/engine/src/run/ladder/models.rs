@@ -17,9 +17,8 @@ use super::thinning;
 use crate::model::{Model, Seat};
 use crate::results::{EdgeGeometry, EdgeResults};
 use crate::run::seats;
-use crate::run::{
-    Assembled, Operator, Progress, RunError, Solved, assemble, edges, fields, follow, peaks,
-};
+use crate::run::solved::{Operator, Solved};
+use crate::run::{Assembled, Progress, RunError, assemble, edges, fields, follow, peaks};
 
 /// Nodes on half of a contact circle less one, of the coarsest model by series.
 const INTERVALS: usize = 30;

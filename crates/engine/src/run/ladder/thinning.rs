@@ -7,7 +7,8 @@ use stickslip_fem_core::{InterfaceOperator, parallel};
 use super::grading::Grading;
 use crate::model::{Model, ModelEdge};
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults};
-use crate::run::{Operator, OwnNodes, Progress, RunError, Solved};
+use crate::run::solved::{Operator, OwnNodes, Solved};
+use crate::run::{Progress, RunError};
 
 /// The nodes of every load step that `grading` chooses on each contact edge of `model`, all contacts alike. `None` where a contact is not one of equal nodes on a circle.
 pub(super) fn chosen(model: &Model, grading: &Grading) -> Option<Vec<Vec<usize>>> {

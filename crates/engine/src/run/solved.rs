@@ -1,0 +1,88 @@
+//! A model whose history has been followed.
+
+use std::sync::Arc;
+
+use stickslip_contact::thinned::Thinned;
+use stickslip_contact::{Interface, StepRecord};
+use stickslip_fem_core::{CondensedBody, InterfaceOperator};
+
+use crate::series::SeriesBody;
+
+/// A body as the interface problem sees it.
+#[derive(Clone, Debug)]
+pub enum Operator {
+    /// Condensed finite elements.
+    Elastic(Arc<CondensedBody>),
+    /// A series.
+    Series(Arc<SeriesBody>),
+    /// Rigid.
+    Rigid(stickslip_fem_core::RigidBody),
+}
+
+impl Operator {
+    /// The operator's common face.
+    pub fn interface(&self) -> &dyn InterfaceOperator {
+        match self {
+            Self::Elastic(body) => body.as_ref(),
+            Self::Series(body) => body.interface(),
+            Self::Rigid(body) => body,
+        }
+    }
+
+    /// The body by series, if it is one.
+    pub fn series(&self) -> Option<&SeriesBody> {
+        match self {
+            Self::Series(body) => Some(body),
+            Self::Elastic(_) | Self::Rigid(_) => None,
+        }
+    }
+
+    /// The condensed body, if it is made of finite elements.
+    pub fn elastic(&self) -> Option<&CondensedBody> {
+        match self {
+            Self::Elastic(body) => Some(body),
+            Self::Series(_) | Self::Rigid(_) => None,
+        }
+    }
+}
+
+/// A model whose history has been followed.
+#[derive(Debug)]
+pub struct Solved {
+    /// One operator per body.
+    pub operators: Vec<Operator>,
+    /// All contacts, in independent parts.
+    pub interface: Interface,
+    /// One record per load step.
+    pub records: Vec<StepRecord>,
+    /// The nodes of every load step, where these are not all.
+    pub own: Option<OwnNodes>,
+    /// Wall time of each load step `[s]`.
+    pub step_seconds: Vec<f64>,
+    /// Wall time of the phases `[s]`.
+    pub phases: Vec<(&'static str, f64)>,
+}
+
+/// Load steps on nodes of their own.
+#[derive(Debug)]
+pub struct OwnNodes {
+    /// The contacts of every step.
+    pub thinned: Vec<Thinned>,
+    /// One record per load step, of its own points.
+    pub records: Vec<StepRecord>,
+}
+
+impl Solved {
+    /// Forces `[N]` on the contact points of body `body` at the end of the load step `record`, interleaved, at the places where they act.
+    pub fn forces_on_body(&self, record: &StepRecord, body: usize) -> Vec<f64> {
+        if let Some(on_bodies) = &record.on_bodies {
+            return on_bodies[body].clone();
+        }
+        let count = self.operators[body].interface().points().len();
+        let forces = &record.state.forces;
+        match &record.contacts {
+            Some(contacts) => contacts.forces_on_body(body, count, forces),
+            None => self.interface.forces_on_body(body, count, forces),
+        }
+    }
+}
