@@ -177,7 +177,7 @@ impl<'a> DeformedGaps<'a> {
         })
     }
 
-    /// The same where `turning` says which bodies are free to turn: of means over hats a translation does not look like one.
+    /// The same where `turning` says which bodies are free to turn: means over hats of a translation are not uniform.
     pub(crate) fn turning(self, turning: &[bool]) -> Self {
         Self {
             turning: turning.to_vec(),

@@ -10,7 +10,7 @@
 //! chosen nodes in the frames of the nodes, friction holds its cone there, bodies stay in balance, and what a mean over a bent edge leaves out is only what the
 //! nodes themselves leave out. The operator of a step is the congruence transform W C Wᵀ of that of the nodes.
 //!
-//! From step to step displacements of all nodes are carried over, which every forces on chosen nodes make exactly; those of the next step are their means. What points remember is
+//! From step to step displacements of all nodes are carried over, which forces on the chosen nodes make exactly; those of the next step are means of them. What points remember is
 //! interpolated.
 
 mod hats;
@@ -176,7 +176,14 @@ fn shift(
     wanted: &[f64],
 ) -> Result<(), ContactError> {
     let there = undeformed(&DeformedGaps::new(faces, pairs, facings)?, pairs);
-    let mut apart = there.unwrap_or_default().into_iter().zip(wanted);
+    let there = there.ok_or_else(|| ContactError::InvalidPair {
+        pair: pairs
+            .first()
+            .map_or_else(String::new, |pair| pair.name.clone()),
+        point: 0,
+        what: "a chosen node faces no place of the second edge".to_owned(),
+    })?;
+    let mut apart = there.into_iter().zip(wanted);
     for (pair, facing) in pairs.iter().zip(facings) {
         for ((point, place), (gap, wanted)) in
             pair.points.iter().zip(&mut facing.first).zip(&mut apart)

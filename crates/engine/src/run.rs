@@ -119,19 +119,12 @@ pub fn run_with(
 ) -> Result<Results, RunError> {
     progress(Progress::Phase("mesh"));
     let start = scene.host().seconds();
-    let mut model = Model::build(scene)?;
+    let model = Model::build(scene)?;
     let mesh_seconds = scene.host().seconds() - start;
     let mut solved = solve(&model, solver, progress)?;
-    if let Some(seats) = seats::wanted(&model, &solved) {
-        model = Model::build_on(scene, Some(&model), &seats)?;
-        solved = solve(&model, solver, progress)?;
-    }
     solved.phases.insert(0, ("mesh", mesh_seconds));
     progress(Progress::Phase("stresses"));
-    let doubts = seats::findings(&model, &solved);
-    let mut found = results(&model, solver, solved)?;
-    found.findings.extend(doubts);
-    Ok(found)
+    results(&model, solver, solved)
 }
 
 /// Condenses the bodies of `model` and follows its history with `solver`.
@@ -273,15 +266,17 @@ fn otherwise(
         solved.operators.iter().map(Operator::interface).collect();
     let kinematics = model.kinematics(&faces)?;
     let (interface, records) = (&solved.interface, &solved.records);
-    if let Some(own) = &solved.own
-        && let Some(whole) = ladder::thinning::whole(model, &faces, interface)?
-    {
-        return Ok((model.history).thinned_otherwise(
-            &whole,
-            &own.thinned,
-            solver,
-            &own.records,
-        )?);
+    if let Some(own) = &solved.own {
+        return match ladder::thinning::whole(model, &faces, &kinematics, interface) {
+            Some(whole) => Ok((model.history).thinned_otherwise(
+                &whole,
+                &own.thinned,
+                solver,
+                &own.records,
+            )?),
+            // Steps have nodes of their own only where this is known.
+            None => Ok(Vec::new()),
+        };
     }
     Ok((model.history).walked_otherwise(interface, &kinematics, solver, records))
 }
@@ -408,6 +403,7 @@ fn findings(
     findings.extend(doubts::of_looseness(model, &solved.records));
     findings.extend(doubts::of_parting(&solved.records));
     findings.extend(doubts::of_ripples(model, solved));
+    findings.extend(seats::findings(model, solved));
     findings
 }
 

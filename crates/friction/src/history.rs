@@ -147,6 +147,22 @@ mod tests {
     }
 
     #[test]
+    fn between_two_points_the_path_is_linear_and_the_rest_that_of_the_nearer() {
+        let one = History::default().commit(PointStatus::Slip, 1.0);
+        let other = History::default()
+            .commit(PointStatus::Slip, -3.0)
+            .commit(PointStatus::Stick, 0.0);
+        let near = one.between(&other, 0.25);
+        assert_eq!(near.slip_path(), 1.5);
+        assert_eq!(near.status(), PointStatus::Slip);
+        let far = one.between(&other, 0.75);
+        assert_eq!(far.slip_path(), 2.5);
+        assert_eq!(far.direction(), Direction::Negative);
+        assert_eq!(one.between(&other, 0.0), one);
+        assert_eq!(one.between(&other, 1.0), other);
+    }
+
+    #[test]
     fn path_counts_slip_of_either_sign_and_nothing_else() {
         // Dyadic increments: the sums are exact.
         let past = History::default()

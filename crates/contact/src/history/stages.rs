@@ -62,6 +62,9 @@ impl<'a> Stages<'a> {
 
     /// Where the problem of `part` starts in the step after `before`, records of all parts.
     pub(super) fn start(&self, step: usize, part: usize, before: &[StepRecord]) -> StepRecord {
+        if let (None, Some(last)) = (self.thinned, before.last()) {
+            return last.part(part).at_its_end();
+        }
         let count = self.courses(step).len();
         let last = before.last().map(|record| -> Vec<StepRecord> {
             (0..count).map(|part| record.part(part).clone()).collect()

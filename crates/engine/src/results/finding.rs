@@ -367,6 +367,14 @@ pub enum FreeMotion {
 }
 
 impl Finding {
+    /// Whether it is [`ContactFinding::PairsApart`].
+    pub(crate) fn is_of_pairs_apart(&self) -> bool {
+        let Self::Contact { finding, .. } = self else {
+            return false;
+        };
+        matches!(finding, ContactFinding::PairsApart { .. })
+    }
+
     /// The `finding` about the contact `name`.
     pub fn about(name: &str, finding: ContactFinding) -> Self {
         Self::Contact {

@@ -85,6 +85,9 @@ pub(super) fn climb(
             let end = end.unwrap_or(LadderEnd::Finest);
             return climb.finish(levels, errors, &path, &model, end);
         };
+        if let Some(last) = levels.last_mut() {
+            last.solved.own = None;
+        }
         levels.push(level);
         climb.renew(&levels, &mut model, progress);
     }
@@ -158,10 +161,8 @@ impl Climb<'_> {
             self.models.grade(&coarse, 1);
         }
         let mut small = self.models.level(1, substeps, progress)?;
-        if self.models.seat(&small) {
-            small = self.models.level(1, substeps, progress)?;
-        }
         self.record(&small, None);
+        self.seat(&mut small, progress);
         if !is_auto || small.model.pairs.is_empty() {
             return Ok((small, Geometry::default()));
         }
@@ -180,10 +181,18 @@ impl Climb<'_> {
             geometry = Geometry::default();
         }
         let mut base = if matters { deformed } else { small };
-        if self.models.seat(&base) {
-            base = self.models.level(1, substeps, progress)?;
-        }
+        self.seat(&mut base, progress);
         Ok((base, Geometry { reason, ..geometry }))
+    }
+
+    /// Solves `level` again where its bodies sit, if nodes of elements were paired too far apart in it.
+    fn seat(&mut self, level: &mut Level, progress: &mut dyn FnMut(Progress)) {
+        if self.models.seat(level)
+            && let Ok(seated) = self.models.level(level.rung, &level.substeps, progress)
+        {
+            self.record(&seated, None);
+            *level = seated;
+        }
     }
 
     /// A model whose increments are fine enough, with the error that they leave; `base` is the first one.
@@ -307,6 +316,10 @@ impl Climb<'_> {
         let along = along.into_steps(&last.numbers.geometries);
         let unlimited = division::findings(&last.numbers, &errors);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
+        // Errors hold where nodes are paired far from what they face.
+        found
+            .findings
+            .retain(|finding| !finding.is_of_pairs_apart());
         found.findings.extend(unlimited);
         if last.model.request.failure.is_some() {
             let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));

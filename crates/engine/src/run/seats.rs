@@ -36,6 +36,8 @@ impl Faced {
         let EdgeKind::Circle { centre, radius } = geometry.kind else {
             return None;
         };
+        // Displacements of a rigid body bend nowhere.
+        model.bodies[model.pairs[pair].second].elastic()?;
         let edges = model.facings.get(pair);
         let first: Vec<f64> = match edges {
             Some(edges) => {
@@ -93,9 +95,12 @@ impl Faced {
         rows: &[usize],
         touches: impl Fn(usize) -> bool,
     ) -> Option<[f64; 2]> {
-        let ends = (1..rows.len()).filter(|&k| touches(k) != touches(k - 1));
-        let apart = ends.filter_map(|k| {
-            let [from, to] = [rows[k - 1], rows[k]];
+        let count = rows.len();
+        let last = if self.closed { count } else { count - 1 };
+        let ends = (0..last).map(|k| [k, (k + 1) % count]);
+        let ends = ends.filter(|&[from, to]| touches(from) != touches(to));
+        let apart = ends.filter_map(|[from, to]| {
+            let [from, to] = [rows[from], rows[to]];
             let width = apart(self.first[to], self.first[from]).abs();
             let travel = self.travel(from).abs().max(self.travel(to).abs());
             (travel > APART * width).then_some([travel, width])
@@ -114,9 +119,17 @@ fn apart(to: f64, from: f64) -> f64 {
     apart - TAU * (apart / TAU).round()
 }
 
-/// How the second bodies of contacts sit in the step with the largest contact force.
+/// How the second bodies of contacts sit in the step with the largest contact force, of those that can be seated: bodies by series, and half ones of elements, that touch along one edge alone.
 pub(super) fn seats(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
     let seat = |pair: usize| {
+        let own = &model.pairs[pair];
+        let touches = |body| {
+            (model.pairs.iter()).filter(move |other| other.first == body || other.second == body)
+        };
+        let is_series = model.bodies[own.second].series.is_some();
+        if touches(own.second).count() > 1 || !(is_series || model.half) {
+            return None;
+        }
         let geometry = &edge_of(model, pair)?.geometry;
         let force = |record: &StepRecord| record.audit.pairs[pair].normal;
         let records = solved.records.iter();
@@ -126,23 +139,15 @@ pub(super) fn seats(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
     (0..model.pairs.len()).map(seat).collect()
 }
 
-/// The same where nodes that are paired on the deformed geometry are too far apart in `solved`, and bodies can be seated: those by series, and halves of elements.
-pub(super) fn wanted(model: &Model, solved: &Solved) -> Option<Vec<Option<Seat>>> {
-    let is_wanted = |pair: usize| {
-        let second = &model.bodies[model.pairs[pair].second];
-        (model.half || second.series.is_some()) && !doubtful(model, solved, pair).is_empty()
-    };
-    let pairs = 0..model.pairs.len();
+/// The same of those whose nodes are paired too far apart on the deformed geometry.
+pub(super) fn wanted(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
     let mut seats = seats(model, solved);
-    let mut any = false;
-    for (pair, seat) in pairs.zip(&mut seats) {
-        if is_wanted(pair) {
-            any = true;
-        } else {
+    for (pair, seat) in seats.iter_mut().enumerate() {
+        if doubtful(model, solved, pair).is_empty() {
             *seat = None;
         }
     }
-    any.then_some(seats)
+    seats
 }
 
 /// What a reader must know of contacts whose nodes are paired too far from what they face.

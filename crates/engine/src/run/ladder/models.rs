@@ -14,7 +14,7 @@ use super::grading::Grading;
 use super::limits::Missing;
 use super::numbers::Numbers;
 use super::thinning;
-use crate::model::{Model, Seat};
+use crate::model::{Model, ModelBody, Seat};
 use crate::results::{EdgeGeometry, EdgeResults};
 use crate::run::seats;
 use crate::run::solved::{Operator, Solved};
@@ -102,7 +102,7 @@ pub(super) struct Models<'a> {
     division: Division,
     /// How the contact nodes of rungs by series are graded, by rung.
     graded: BTreeMap<usize, Graded>,
-    /// How bodies sit in the holes of the graded models that follow.
+    /// How bodies sit in their holes in the models that follow.
     seats: Vec<Option<Seat>>,
     /// What was made last.
     made: Option<Made>,
@@ -175,6 +175,12 @@ impl<'a> Models<'a> {
     pub(super) fn grade(&mut self, level: &Level, rung: usize) {
         if self.is_graded() {
             self.seats = seats::seats(&level.model, &level.solved);
+            // Elements keep their operator from one geometry to the other.
+            for (seat, pair) in self.seats.iter_mut().zip(&level.model.pairs) {
+                if level.model.bodies[pair.second].series.is_none() {
+                    *seat = None;
+                }
+            }
             let half = level.model.half;
             let widest = PI / INTERVALS as f64;
             let graded =
@@ -194,9 +200,12 @@ impl<'a> Models<'a> {
             return false;
         }
         let wanted = seats::wanted(&level.model, &level.solved);
-        let is_wanted = wanted.is_some();
-        if let Some(seats) = wanted {
-            self.seats = seats;
+        let is_wanted = wanted.iter().any(Option::is_some);
+        self.seats.resize(wanted.len(), None);
+        for (own, wanted) in self.seats.iter_mut().zip(wanted) {
+            if wanted.is_some() {
+                *own = wanted;
+            }
         }
         is_wanted
     }
@@ -246,7 +255,7 @@ impl<'a> Models<'a> {
                 own,
                 steps,
             },
-            division: described(division, chosen.as_deref()),
+            division: described(division, &solved),
             model,
             solved,
         })
@@ -268,7 +277,7 @@ impl<'a> Models<'a> {
             Some(made) if made.kinematics == kinematics && made.seats == seats => made,
             Some(made) if self.is_graded() || made.seats == seats => {
                 let model = Model::build_on(scene, Some(&made.model), &self.seats)?;
-                let (operators, interface) = reassemble(&model, made.operators)?;
+                let (operators, interface) = reassemble(&model, made.operators, made.interface)?;
                 Made {
                     kinematics,
                     seats,
@@ -343,11 +352,19 @@ impl<'a> Models<'a> {
     }
 }
 
-/// `operators` with the bodies by series of `model`, and the interface between them.
+/// `operators` with the bodies by series of `model`, and the interface between them, which was `interface`.
 fn reassemble(
     model: &Model,
     operators: Vec<Operator>,
+    interface: Interface,
 ) -> Result<(Vec<Operator>, Interface), RunError> {
+    let is_kept = |(operator, body): (&Operator, &ModelBody)| match (operator, &body.series) {
+        (Operator::Series(own), Some(series)) => Arc::ptr_eq(own, series),
+        _ => true,
+    };
+    if operators.iter().zip(&model.bodies).all(is_kept) {
+        return Ok((operators, interface));
+    }
     let renewed = operators.into_iter().zip(&model.bodies);
     let renewed = renewed.map(|(operator, body)| match &body.series {
         Some(series) => Operator::Series(Arc::clone(series)),
@@ -360,10 +377,11 @@ fn reassemble(
     Ok((operators, interface))
 }
 
-/// A division where each load step has the nodes `chosen` of it.
-fn described(division: String, chosen: Option<&[Vec<usize>]>) -> String {
-    let most = chosen.and_then(|steps| steps.iter().map(Vec::len).max());
-    match most {
+/// A division where each load step has nodes of its own.
+fn described(division: String, solved: &Solved) -> String {
+    let own = solved.own.as_ref();
+    let steps = own.map(|own| own.thinned.iter().map(|step| step.chosen(0).len()));
+    match steps.and_then(Iterator::max) {
         Some(most) => format!("{division}, up to {most} in a step"),
         None => division,
     }

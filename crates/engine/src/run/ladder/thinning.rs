@@ -1,7 +1,7 @@
 //! Load steps on nodes of their own, chosen among those of a model.
 
 use stickslip_contact::thinned::{EdgeNodes, Thinned, Whole};
-use stickslip_contact::{Interface, InterfaceSolver};
+use stickslip_contact::{Interface, InterfaceSolver, Kinematics};
 use stickslip_fem_core::{InterfaceOperator, parallel};
 
 use super::grading::Grading;
@@ -38,39 +38,30 @@ pub(super) fn follow(
     chosen: &[Vec<usize>],
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Solved, RunError> {
+    progress(Progress::Phase("contact"));
     let start = model.host.seconds();
-    let thinned = {
-        let faces: Vec<&dyn InterfaceOperator> =
-            operators.iter().map(Operator::interface).collect();
-        whole(model, &faces, &interface)?.map(|whole| {
-            let pairs = model.pairs.len();
-            let of_step = |nodes: &Vec<usize>| Thinned::new(&whole, &vec![nodes.clone(); pairs]);
-            let all = parallel::map(chosen, of_step);
-            all.into_iter().collect::<Result<Vec<Thinned>, _>>()
-        })
-    };
-    let Some(thinned) = thinned.transpose()? else {
+    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
+    let kinematics = model.kinematics(&faces)?;
+    let Some(whole) = whole(model, &faces, &kinematics, &interface) else {
+        drop((kinematics, faces));
         return crate::run::follow(model, operators, interface, solver, progress);
     };
+    let pairs = model.pairs.len();
+    let of_step = |nodes: &Vec<usize>| Thinned::new(&whole, &vec![nodes.clone(); pairs]);
+    let thinned = parallel::map(chosen, of_step);
+    let thinned = thinned.into_iter().collect::<Result<Vec<Thinned>, _>>()?;
     let total = thinned.len();
     let (mut step_seconds, mut last) = (Vec::with_capacity(total), start);
-    let thin = {
-        let faces: Vec<&dyn InterfaceOperator> =
-            operators.iter().map(Operator::interface).collect();
-        let observe = || {
-            let now = model.host.seconds();
-            step_seconds.push(now - last);
-            last = now;
-            progress(Progress::Step {
-                done: step_seconds.len(),
-                total,
-            });
-        };
-        match whole(model, &faces, &interface)? {
-            Some(whole) => (model.history).follow_thinned(&whole, &thinned, solver, observe)?,
-            None => return crate::run::follow(model, operators, interface, solver, progress),
-        }
-    };
+    let thin = (model.history).follow_thinned(&whole, &thinned, solver, || {
+        let now = model.host.seconds();
+        step_seconds.push(now - last);
+        last = now;
+        progress(Progress::Step {
+            done: step_seconds.len(),
+            total,
+        });
+    })?;
+    drop((whole, kinematics, faces));
     Ok(Solved {
         operators,
         interface,
@@ -86,10 +77,11 @@ pub(super) fn follow(
 
 /// All nodes of `model`; `None` where contact points are not nodes.
 pub(in crate::run) fn whole<'a>(
-    model: &'a Model,
+    model: &Model,
     faces: &[&'a dyn InterfaceOperator],
+    kinematics: &Kinematics<'a>,
     interface: &'a Interface,
-) -> Result<Option<Whole<'a>>, RunError> {
+) -> Option<Whole<'a>> {
     let edge = |pair: usize| {
         let geometry = &edge_of(model, pair)?.geometry;
         Some(EdgeNodes {
@@ -99,8 +91,7 @@ pub(in crate::run) fn whole<'a>(
         })
     };
     let edges: Option<Vec<EdgeNodes>> = (0..model.pairs.len()).map(edge).collect();
-    let kinematics = model.kinematics(faces)?;
-    Ok(edges.and_then(|edges| Whole::new(faces, interface, &kinematics, edges)))
+    Whole::new(faces, interface, kinematics, edges?)
 }
 
 /// For every step and edge the rows of the nodes that the step has: the chosen ones, and all where nothing touches, whose values are as good.

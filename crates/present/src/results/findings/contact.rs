@@ -56,9 +56,9 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             apart,
             spacing,
         } => format!(
-            "Contact '{name}' moves along itself in load step {}: on the deformed geometry nodes are paired with others up to {} from what they face, where \
-             nodes are {} apart. Pressure and stress are smeared out over as much at the ends of contact; the peak of the stress may be some percent too low. \
-             Without a mesh, and in half models, nodes are put where they face each other; a coarser mesh there has less of it.",
+            "On the deformed geometry nodes of contact '{name}' are paired in load step {} with nodes up to {} from the place that they face, where nodes are \
+             {} apart. Pressure and stress are smeared over that distance at the ends of contact, and the peak of the stress may be some percent too low. Leave \
+             out the mesh, ask for an accuracy of half a model (analysis.accuracy), or widen mesh.spacing.",
             numbers(steps),
             shown(*apart, units),
             shown(*spacing, units)
