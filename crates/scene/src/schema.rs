@@ -9,6 +9,7 @@ mod demand;
 mod failure;
 mod progressive;
 
+use std::f64::consts::PI;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -187,10 +188,17 @@ impl Division {
     fn coarser(&self) -> Self {
         match self {
             Self::AngleList(angles) => {
-                let last = angles.len().saturating_sub(1);
-                let kept = angles.iter().enumerate();
-                let kept = kept.filter(|(k, _)| k % 2 == 0 || *k == last);
-                Self::AngleList(kept.map(|(_, angle)| *angle).collect())
+                let mut kept: Vec<f64> = angles.iter().step_by(2).copied().collect();
+                // A list ends at π, or goes around with an even number of angles.
+                let goes_around = angles.last().is_some_and(|last| *last > PI + 1e-9);
+                let is_odd = !kept.len().is_multiple_of(2);
+                let ends = if goes_around {
+                    is_odd
+                } else {
+                    angles.len().is_multiple_of(2)
+                };
+                kept.extend(angles.last().filter(|_| ends));
+                Self::AngleList(kept)
             }
             Self::Angular(grading) => Self::Angular(grading.scaled(2.0)),
             Self::Linear(grading) => Self::Linear(grading.scaled(2.0)),
@@ -492,4 +500,30 @@ pub enum FieldOutput {
     Last,
     /// Each.
     All,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Round bodies have an even number of angles all around, and lists of a half end at π.
+    #[test]
+    fn coarser_lists_of_angles_make_meshes_too() {
+        for count in [340, 342, 360, 362] {
+            let step = 2.0 * PI / f64::from(count);
+            let around = Division::AngleList((0..count).map(|k| step * f64::from(k)).collect());
+            let Division::AngleList(kept) = around.coarser() else {
+                unreachable!();
+            };
+            assert!(kept.len().is_multiple_of(2) && kept.len() < 200, "{count}");
+        }
+        for count in [30, 31] {
+            let step = PI / f64::from(count);
+            let half = Division::AngleList((0..=count).map(|k| step * f64::from(k)).collect());
+            let Division::AngleList(kept) = half.coarser() else {
+                unreachable!();
+            };
+            assert!((kept[kept.len() - 1] - PI).abs() < 1e-12 && kept.len() < 20);
+        }
+    }
 }

@@ -66,7 +66,16 @@ pub(super) fn climb(
         models,
     };
     let (base, mut model) = climb.kinematics(progress)?;
-    let (base, path) = climb.increments(base, progress)?;
+    let (base, path) = match climb.increments(base, progress) {
+        Err(why) if model.is_chosen_deformed => {
+            model = Geometry::unknown(&why.to_string());
+            climb.models.kinematics = KinematicsChoice::Small;
+            let substeps = vec![scene.analysis.substeps; scene.steps()];
+            let base = climb.models.level(1, &substeps, progress)?;
+            climb.increments(base, progress)?
+        }
+        found => found?,
+    };
     let coarse = (climb.models).level(base.rung - 1, &base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
@@ -111,6 +120,10 @@ struct Climb<'a> {
 impl Climb<'_> {
     /// All errors of the last of `levels`.
     fn errors(&self, levels: &[Level], path: &Left, geometry: &Geometry) -> Table {
+        if levels.len() < 2 {
+            // Of the division nothing is known.
+            return Table::new();
+        }
         let divided = division::errors(&numbers(levels), self.models.spaced());
         sum(&sum(&divided, &path.numbers), &geometry.errors)
     }
@@ -178,7 +191,10 @@ impl Climb<'_> {
         let reason = Geometry::reason(worst.map(Worst::named), matters);
         if matters {
             self.models.kinematics = KinematicsChoice::DeformedGaps;
-            geometry = Geometry::default();
+            geometry = Geometry {
+                is_chosen_deformed: true,
+                ..Geometry::default()
+            };
         }
         let mut base = if matters { deformed } else { small };
         self.seat(&mut base, progress);
@@ -275,7 +291,8 @@ impl Climb<'_> {
             Some(rung) => rung.error = error,
             None => self.record(last, error),
         }
-        let reached = self.asked.is_some() && worst.is_none_or(|worst| worst.part <= 1.0);
+        let is_met = levels.len() > 1 && worst.is_none_or(|worst| worst.part <= 1.0);
+        let reached = self.asked.is_some() && is_met;
         if reached {
             Some(LadderEnd::Reached)
         } else if self.models.division() == Division::Pinned {

@@ -59,6 +59,8 @@ fn finds_no_cusp(
 struct Walk<'a> {
     geometry: &'a EdgeGeometry,
     rows: Vec<EdgeRow>,
+    /// Where it bears, as in the edge's parameter.
+    bearing: Option<f64>,
     /// Arc lengths `[mm]`.
     places: Vec<f64>,
     closed: Option<f64>,
@@ -93,6 +95,7 @@ impl<'a> Walk<'a> {
         let mut walk = Self {
             geometry,
             rows: results.rows.clone(),
+            bearing: results.bearing.or(geometry.frame.bearing),
             places: geometry.parameter.iter().map(|at| scale * at).collect(),
             closed,
             bound: bound.collect(),
@@ -162,7 +165,7 @@ impl<'a> Walk<'a> {
         let ends: Vec<Located> = (0..last).filter_map(|k| self.end(k)).collect();
         let scale = self.scale.abs();
         let symmetric = match self.geometry.kind {
-            EdgeKind::Circle { .. } => self.geometry.frame.bearing.map_or(0.0, |at| {
+            EdgeKind::Circle { .. } => self.bearing.map_or(0.0, |at| {
                 if at.abs() > 1.0 {
                     std::f64::consts::PI * scale
                 } else {

@@ -171,6 +171,28 @@ fn by_text(text: &str, fine: f64) -> Results {
     solved(text, &changes)
 }
 
+/// A half model that is pushed back bears on the other side, and its extent of contact counts from there.
+#[test]
+fn extents_of_contact_count_from_where_a_step_bears() {
+    let text = PIN.replace(r#""1 kN", "4 kN", "1.5 kN""#, r#""4 kN", "-2 kN""#);
+    for kinematics in [SMALL, DEFORMED] {
+        let [half, whole] = ["half", "whole"].map(|model| {
+            let model = format!("analysis.model={model}");
+            solved(&text, &[kinematics, &model, r#"analysis.accuracy="5 %""#])
+        });
+        let misses = misses(&half, &whole, &[Stated::ContactExtent]);
+        assert!(misses.is_empty(), "{misses:#?}");
+        for step in &half.steps {
+            let extent = step.edges[0].contact_half_extent.unwrap();
+            let error = step.edges[0].errors.get(Stated::ContactExtent).unwrap();
+            assert!(
+                extent < std::f64::consts::FRAC_PI_2 && error < 0.1,
+                "{extent} ± {error}"
+            );
+        }
+    }
+}
+
 /// Without friction nothing holds a plate against turning about its pin. Graded nodes, whose forces act within the circle, must not turn it either.
 #[test]
 fn bodies_that_turn_freely_find_deformed_gaps_on_graded_nodes() {

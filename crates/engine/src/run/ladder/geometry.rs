@@ -16,6 +16,8 @@ pub(super) struct Geometry {
     pub(super) along: Along,
     /// Why it was chosen, as the reason of a choice; empty where the scene chose.
     pub(super) reason: String,
+    /// Whether the deformed one was chosen.
+    pub(super) is_chosen_deformed: bool,
 }
 
 impl Geometry {
