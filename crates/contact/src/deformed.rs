@@ -216,23 +216,9 @@ impl<'a> DeformedGaps<'a> {
         multipliers: &[f64],
     ) -> Vec<DVector<f64>> {
         let displacement = |(index, body): (usize, &&dyn InterfaceOperator)| {
-            let count = body.points().len();
-            let amounts = DVector::from_vec(problem.motions_of_body(index, &state.rigid));
-            let mut displacement = body.modes() * amounts;
-            if let Some(compliance) = body.compliance() {
-                let forces = contacts.forces_on_body(index, count, &state.forces);
-                for (column, &force) in forces.iter().enumerate() {
-                    if force != 0.0 {
-                        displacement.axpy(force, &compliance.column(column), 1.0);
-                    }
-                }
-            }
-            for (case, &factor) in multipliers.iter().enumerate() {
-                if let Some(response) = body.load_response(case) {
-                    displacement.axpy(factor, response, 1.0);
-                }
-            }
-            displacement
+            let forces = contacts.forces_on_body(index, body.points().len(), &state.forces);
+            let amounts = problem.motions_of_body(index, &state.rigid);
+            body.displacements(&forces, &amounts, multipliers)
         };
         self.bodies.iter().enumerate().map(displacement).collect()
     }

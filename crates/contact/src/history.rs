@@ -210,7 +210,7 @@ impl LoadHistory {
         let all = own.iter().zip(thinned);
         Ok(Thin {
             all: all
-                .map(|(own, thinned)| Carry { whole, thinned }.expand(own))
+                .map(|(own, thinned)| Carry { whole, thinned }.expand(own).0)
                 .collect(),
             own,
         })

@@ -184,14 +184,33 @@ pub fn follow(
     solver: &dyn InterfaceSolver,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Solved, RunError> {
+    let (records, step_seconds, seconds) = timed(model, progress, |observe| {
+        let faces: Vec<&dyn InterfaceOperator> =
+            operators.iter().map(Operator::interface).collect();
+        let kinematics = model.kinematics(&faces)?;
+        Ok((model.history).follow_parts(&interface, &kinematics, solver, observe)?)
+    })?;
+    Ok(Solved {
+        operators,
+        interface,
+        records,
+        own: None,
+        step_seconds,
+        phases: vec![("contact", seconds)],
+    })
+}
+
+/// What `walk` finds of the history of `model`, with the wall time of every load step and of all `[s]`; `walk` calls its argument when a step is done.
+fn timed<T>(
+    model: &Model,
+    progress: &mut dyn FnMut(Progress),
+    walk: impl FnOnce(&mut dyn FnMut()) -> Result<T, RunError>,
+) -> Result<(T, Vec<f64>, f64), RunError> {
     progress(Progress::Phase("contact"));
     let start = model.host.seconds();
     let total = model.history.steps().len();
-    let mut step_seconds = Vec::with_capacity(total);
-    let mut last = start;
-    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
-    let kinematics = model.kinematics(&faces)?;
-    let records = (model.history).follow_parts(&interface, &kinematics, solver, || {
+    let (mut step_seconds, mut last) = (Vec::with_capacity(total), start);
+    let found = walk(&mut || {
         let now = model.host.seconds();
         step_seconds.push(now - last);
         last = now;
@@ -200,16 +219,7 @@ pub fn follow(
             total,
         });
     })?;
-    drop(kinematics);
-    drop(faces);
-    Ok(Solved {
-        operators,
-        interface,
-        records,
-        own: None,
-        step_seconds,
-        phases: vec![("contact", model.host.seconds() - start)],
-    })
+    Ok((found, step_seconds, model.host.seconds() - start))
 }
 
 /// The solver of a choice.

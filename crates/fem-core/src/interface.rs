@@ -44,6 +44,25 @@ pub trait InterfaceOperator: Debug + Send + Sync {
 
     /// Resultants r_k `[force]` of load case `case` in the rigid motions, f.
     fn mode_load(&self, case: usize) -> &DVector<f64>;
+
+    /// Computes the displacements u `[length]` of the contact points, 2n, under the forces `forces` `[force]`, 2n, the rigid motions `amounts`, f, and the
+    /// load multipliers `multipliers`, by the module's first equation. Points without force cost nothing.
+    fn displacements(&self, forces: &[f64], amounts: &[f64], multipliers: &[f64]) -> DVector<f64> {
+        let mut displacements = self.modes() * DVector::from_column_slice(amounts);
+        if let Some(compliance) = self.compliance() {
+            for (column, &force) in forces.iter().enumerate() {
+                if force != 0.0 {
+                    displacements.axpy(force, &compliance.column(column), 1.0);
+                }
+            }
+        }
+        for (case, &factor) in multipliers.iter().enumerate() {
+            if let Some(response) = self.load_response(case) {
+                displacements.axpy(factor, response, 1.0);
+            }
+        }
+        displacements
+    }
 }
 
 /// Computes the rigid motions of `points` `[length]`, 2n × 3 `[1]`: translations along x and y, and the turn about `centre` `[length]`

@@ -21,8 +21,8 @@ pub(super) struct Carry<'a> {
 }
 
 impl Carry<'_> {
-    /// The record of all points for `own`, the record of a step on the chosen ones.
-    pub(super) fn expand(&self, own: &StepRecord) -> StepRecord {
+    /// The record of all points for `own`, the record of a step on the chosen ones, and the displacements of all points of each body.
+    pub(super) fn expand(&self, own: &StepRecord) -> (StepRecord, Vec<DVector<f64>>) {
         let whole = self.whole;
         let contacts = own.contacts_of(self.thinned.interface.contacts());
         let amounts: Vec<Vec<f64>> = (0..self.thinned.bodies.len())
@@ -33,7 +33,11 @@ impl Carry<'_> {
             })
             .collect();
         let on_bodies = self.forces(own);
-        let moved = displacements(whole, &on_bodies, &amounts, &own.state.multipliers);
+        let bodies = whole.bodies.iter().zip(&on_bodies).zip(&amounts);
+        let multipliers = &own.state.multipliers;
+        let moved: Vec<DVector<f64>> = bodies
+            .map(|((body, forces), amounts)| body.displacements(forces, amounts, multipliers))
+            .collect();
         let count = whole.interface.contacts().points().len();
         let mut record = StepRecord {
             slip: DVector::zeros(count),
@@ -63,7 +67,7 @@ impl Carry<'_> {
         let seen = record.contacts_of(whole.interface.contacts());
         record.audit.pairs = PairSums::of(seen, &record.state);
         record.on_bodies = Some(Arc::new(on_bodies));
-        record
+        (record, moved)
     }
 
     /// The point of `whole` that is the chosen one `own`.
@@ -76,12 +80,8 @@ impl Carry<'_> {
 
     /// Forces on all contact points of each body, at the end of a step on the chosen ones.
     fn forces(&self, own: &StepRecord) -> Vec<Vec<f64>> {
-        let bodies = self
-            .thinned
-            .bodies
-            .iter()
-            .zip(&self.whole.bodies)
-            .enumerate();
+        let thinned = self.thinned.bodies.iter();
+        let bodies = thinned.zip(&self.whole.bodies).enumerate();
         let forces = |(index, (thin, body)): (usize, (&ThinnedBody, &&dyn InterfaceOperator))| {
             let count = thin.points().len();
             let on_hats = match &own.contacts {
@@ -169,15 +169,13 @@ impl Carry<'_> {
         Contacts::new(pairs, &self.whole.bodies)
     }
 
-    /// The start of a step on the chosen points from the end of `before`, a record of all points; one of each part of the interface.
-    pub(super) fn start(&self, before: &StepRecord) -> Vec<StepRecord> {
+    /// The start of a step on the chosen points from the end of `before`, a record of all points where bodies are displaced by `moved`; one of each part of the interface.
+    pub(super) fn start(&self, before: &StepRecord, moved: &[DVector<f64>]) -> Vec<StepRecord> {
         let whole = self.whole;
         let amounts: Vec<Vec<f64>> = (0..whole.bodies.len())
             .map(|body| whole.interface.motions_of_body(body, &before.state.rigid))
             .collect();
-        let on_bodies = before.on_bodies.as_deref().map_or(&[][..], Vec::as_slice);
-        let moved = displacements(whole, on_bodies, &amounts, &before.state.multipliers);
-        let means: Vec<DVector<f64>> = (self.thinned.bodies.iter().zip(&moved))
+        let means: Vec<DVector<f64>> = (self.thinned.bodies.iter().zip(moved))
             .map(|(body, moved)| body.mean(moved))
             .collect();
         let rigid = self.thinned.interface.rigid_of(&amounts);
@@ -214,33 +212,6 @@ impl Carry<'_> {
         };
         self.thinned.interface.parts().iter().map(start).collect()
     }
-}
-
-/// Displacements of all contact points of each body under forces on them, rigid motions and loads.
-fn displacements(
-    whole: &Whole<'_>,
-    on_bodies: &[Vec<f64>],
-    amounts: &[Vec<f64>],
-    multipliers: &[f64],
-) -> Vec<DVector<f64>> {
-    let all = whole.bodies.iter().zip(on_bodies).zip(amounts);
-    all.map(|((body, forces), amounts)| {
-        let mut moved = body.modes() * DVector::from_column_slice(amounts);
-        if let Some(compliance) = body.compliance() {
-            for (column, &force) in forces.iter().enumerate() {
-                if force != 0.0 {
-                    moved.axpy(force, &compliance.column(column), 1.0);
-                }
-            }
-        }
-        for (case, &factor) in multipliers.iter().enumerate() {
-            if let Some(response) = body.load_response(case) {
-                moved.axpy(factor, response, 1.0);
-            }
-        }
-        moved
-    })
-    .collect()
 }
 
 /// Gap and tangential displacement of the points of `pair`, single nodes of bodies that are displaced by `moved`, on the undeformed geometry.

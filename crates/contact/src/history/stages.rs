@@ -87,7 +87,8 @@ impl<'a> Stages<'a> {
                     thinned: &thinned[step],
                 });
                 let merged = before.thinned.interface().merged(last.to_vec());
-                own.start(&before.expand(&merged))
+                let (record, moved) = before.expand(&merged);
+                own.start(&record, &moved)
             }
         }
     }

@@ -33,6 +33,26 @@ pub(crate) struct Hat {
 }
 
 impl Hat {
+    /// That with the `values` at points of `pair`; `axis` is its node if that stands on a line of symmetry.
+    fn new(pair: &ContactPair, values: &[(usize, f64)], axis: Option<usize>) -> Self {
+        let areas = || (values.iter()).map(|&(k, value)| value * pair.points[k].area);
+        let area: f64 = areas().sum();
+        let sum = (values.iter().zip(areas())).fold([0.0; 2], |sum: [f64; 2], (&(k, _), own)| {
+            [0, 1].map(|i| sum[i] + own * pair.points[k].normal[i])
+        });
+        let length = sum[0].hypot(sum[1]);
+        let mean = sum.map(|part| part / length);
+        Self {
+            terms: (values.iter().zip(areas()))
+                .map(|(&(k, _), own)| (k, own / area))
+                .collect(),
+            values: values.iter().map(|(_, value)| *value).collect(),
+            area,
+            normal: axis.map_or(mean, |node| pair.points[node].normal),
+            is_on_axis: axis.is_some(),
+        }
+    }
+
     /// What takes the displacement of the point `term` into that of the hat, both along x and y.
     pub(crate) fn matrix(&self, pair: &ContactPair, term: usize) -> Matrix2<f64> {
         let (point, weight) = self.terms[term];
@@ -75,39 +95,20 @@ impl Hats {
             return Err(refuse(chosen[0], "chosen nodes ascend and exist"));
         }
         let over = over(edge, chosen, count);
-        let hat = |index: usize| {
-            let terms: Vec<(usize, f64)> = (over.iter().enumerate())
-                .flat_map(|(point, hats)| {
-                    let own = hats.iter().filter(move |(hat, _)| *hat == index);
-                    own.map(move |(_, value)| (point, *value))
-                })
-                .collect();
-            let areas = terms.iter().map(|&(k, value)| value * pair.points[k].area);
-            let area: f64 = areas.sum();
+        let mut terms = vec![Vec::new(); chosen.len()];
+        for (point, hats) in over.iter().enumerate() {
+            for &(hat, value) in hats {
+                terms[hat].push((point, value));
+            }
+        }
+        let hat = |(index, own): (usize, &Vec<(usize, f64)>)| {
             let ends = [index == 0, index + 1 == chosen.len()];
             let is_on_axis =
                 edge.closed.is_none() && (0..2).any(|end| ends[end] && edge.mirrored[end]);
-            let normal = if is_on_axis {
-                pair.points[chosen[index]].normal
-            } else {
-                let sum = terms.iter().fold([0.0; 2], |sum: [f64; 2], &(k, value)| {
-                    let own = &pair.points[k];
-                    [0, 1].map(|i| sum[i] + value * own.area * own.normal[i])
-                });
-                let length = sum[0].hypot(sum[1]);
-                sum.map(|part| part / length)
-            };
-            let weight = |&(k, value): &(usize, f64)| (k, value * pair.points[k].area / area);
-            Hat {
-                values: terms.iter().map(|(_, value)| *value).collect(),
-                terms: terms.iter().map(weight).collect(),
-                area,
-                normal,
-                is_on_axis,
-            }
+            Hat::new(pair, own, is_on_axis.then_some(chosen[index]))
         };
         Ok(Self {
-            all: (0..chosen.len()).map(hat).collect(),
+            all: terms.iter().enumerate().map(hat).collect(),
             parameter: chosen.iter().map(|&k| edge.parameter[k]).collect(),
             chosen: chosen.to_vec(),
             over,

@@ -8,7 +8,7 @@ use super::grading::Grading;
 use crate::model::{Model, ModelEdge};
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults};
 use crate::run::solved::{Operator, OwnNodes, Solved};
-use crate::run::{Progress, RunError};
+use crate::run::{Progress, RunError, timed};
 
 /// The nodes of every load step that `grading` chooses on each contact edge of `model`, all contacts alike. `None` where a contact is not one of equal nodes on a circle.
 pub(super) fn chosen(model: &Model, grading: &Grading) -> Option<Vec<Vec<usize>>> {
@@ -38,30 +38,23 @@ pub(super) fn follow(
     chosen: &[Vec<usize>],
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Solved, RunError> {
-    progress(Progress::Phase("contact"));
-    let start = model.host.seconds();
-    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
-    let kinematics = model.kinematics(&faces)?;
-    let Some(whole) = whole(model, &faces, &kinematics, &interface) else {
-        drop((kinematics, faces));
+    let found = timed(model, progress, |observe| {
+        let faces: Vec<&dyn InterfaceOperator> =
+            operators.iter().map(Operator::interface).collect();
+        let kinematics = model.kinematics(&faces)?;
+        let Some(whole) = whole(model, &faces, &kinematics, &interface) else {
+            return Ok(None);
+        };
+        let pairs = model.pairs.len();
+        let of_step = |nodes: &Vec<usize>| Thinned::new(&whole, &vec![nodes.clone(); pairs]);
+        let thinned = parallel::map(chosen, of_step);
+        let thinned = thinned.into_iter().collect::<Result<Vec<Thinned>, _>>()?;
+        let thin = (model.history).follow_thinned(&whole, &thinned, solver, observe)?;
+        Ok(Some((thinned, thin)))
+    })?;
+    let (Some((thinned, thin)), step_seconds, seconds) = found else {
         return crate::run::follow(model, operators, interface, solver, progress);
     };
-    let pairs = model.pairs.len();
-    let of_step = |nodes: &Vec<usize>| Thinned::new(&whole, &vec![nodes.clone(); pairs]);
-    let thinned = parallel::map(chosen, of_step);
-    let thinned = thinned.into_iter().collect::<Result<Vec<Thinned>, _>>()?;
-    let total = thinned.len();
-    let (mut step_seconds, mut last) = (Vec::with_capacity(total), start);
-    let thin = (model.history).follow_thinned(&whole, &thinned, solver, || {
-        let now = model.host.seconds();
-        step_seconds.push(now - last);
-        last = now;
-        progress(Progress::Step {
-            done: step_seconds.len(),
-            total,
-        });
-    })?;
-    drop((whole, kinematics, faces));
     Ok(Solved {
         operators,
         interface,
@@ -71,7 +64,7 @@ pub(super) fn follow(
             records: thin.own,
         }),
         step_seconds,
-        phases: vec![("contact", model.host.seconds() - start)],
+        phases: vec![("contact", seconds)],
     })
 }
 
