@@ -14,6 +14,7 @@ mod closed_loop;
 mod cosine_load;
 mod criteria;
 mod elements;
+mod half_planes;
 mod hybrid;
 mod joint_modes;
 mod laboratory;
@@ -67,7 +68,7 @@ pub(crate) struct Options {
 type Checker = fn(&Laboratory) -> Result<Vec<Check>, TaskError>;
 
 /// What makes the checks of each case, in the order of `cases.toml`.
-const CHECKERS: [(&str, Checker); 25] = [
+const CHECKERS: [(&str, Checker); 26] = [
     ("elements", elements::checks),
     ("open-hole", open_hole::checks),
     ("cosine-load", cosine_load::checks),
@@ -82,6 +83,7 @@ const CHECKERS: [(&str, Checker); 25] = [
     ("persson", persson::checks),
     ("hertz", line_contact::hertz),
     ("cattaneo", line_contact::cattaneo),
+    ("half-planes", half_planes::checks),
     ("rigid-pin-frictionless", rigid_pin::frictionless),
     ("rigid-pin-friction", rigid_pin::frictional),
     ("pin-orthotropic", pins::orthotropic),

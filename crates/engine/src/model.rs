@@ -3,6 +3,7 @@
 mod bearing;
 mod contacts;
 mod extent;
+mod half_plane;
 mod limits;
 mod load_table;
 mod loads;
@@ -147,13 +148,15 @@ pub enum ModelError {
         /// Why they cannot.
         what: String,
     },
-    /// `model = "series"` for a body that no series holds.
+    /// `model = "series"` or `"half-plane"` for a body that has no such closed form.
     #[error(
-        "body '{body}' cannot be modelled by series: it {why}; say model = \"elements\" or \"auto\", and give a mesh"
+        "body '{body}' cannot be modelled {model}: it {why}; say model = \"elements\" or \"auto\", and give a mesh"
     )]
     NotSeries {
         /// The body.
         body: String,
+        /// How it was to be modelled.
+        model: &'static str,
         /// Why, as the end of a sentence about the body.
         why: String,
     },

@@ -414,6 +414,7 @@ fn findings(
     findings.extend(doubts::of_parting(&solved.records));
     findings.extend(doubts::of_ripples(model, solved));
     findings.extend(seats::findings(model, solved));
+    findings.extend(doubts::of_outlines(model, edges, steps));
     findings
 }
 

@@ -74,6 +74,9 @@ pub enum BodyModel {
     Auto,
     /// By series about the circle of its contact, without a factorisation.
     Series,
+    /// As the half-plane that a block or a cylinder of a line contact stands for, in closed form.
+    #[serde(rename = "half-plane")]
+    HalfPlane,
     /// By condensed finite elements.
     Elements,
 }
@@ -86,6 +89,11 @@ impl BodyModel {
     )]
     pub(crate) fn is_auto(&self) -> bool {
         *self == Self::Auto
+    }
+
+    /// Whether the scene asks for a closed form, which has no mesh to solve on.
+    pub fn is_closed_form(self) -> bool {
+        matches!(self, Self::Series | Self::HalfPlane)
     }
 }
 
@@ -156,6 +164,8 @@ pub enum Division {
     Angular(Grading),
     /// By lengths `[mm]` from the point of first contact.
     Linear(Grading),
+    /// At these places x `[mm]` along a line contact, strictly increasing, from one end of the edge to the other or from 0 to the end of a half.
+    Places(Vec<f64>),
 }
 
 impl fmt::Display for Division {
@@ -167,6 +177,7 @@ impl fmt::Display for Division {
                 write!(formatter, "spacing {} deg", short(degrees))
             }
             Self::Linear(grading) => write!(formatter, "spacing {} mm", short(grading.spacing)),
+            Self::Places(places) => write!(formatter, "{} places", places.len()),
         }
     }
 }
@@ -174,12 +185,8 @@ impl fmt::Display for Division {
 impl Division {
     fn finer(&self) -> Self {
         match self {
-            Self::AngleList(angles) => {
-                let between = angles
-                    .windows(2)
-                    .flat_map(|pair| [pair[0], f64::midpoint(pair[0], pair[1])]);
-                Self::AngleList(between.chain(angles.last().copied()).collect())
-            }
+            Self::AngleList(angles) => Self::AngleList(halved(angles)),
+            Self::Places(places) => Self::Places(halved(places)),
             Self::Angular(grading) => Self::Angular(grading.scaled(0.5)),
             Self::Linear(grading) => Self::Linear(grading.scaled(0.5)),
         }
@@ -202,8 +209,20 @@ impl Division {
             }
             Self::Angular(grading) => Self::Angular(grading.scaled(2.0)),
             Self::Linear(grading) => Self::Linear(grading.scaled(2.0)),
+            Self::Places(places) => {
+                let inner = places.iter().step_by(2).copied();
+                let end = places.last().filter(|_| places.len().is_multiple_of(2));
+                Self::Places(inner.chain(end.copied()).collect())
+            }
         }
     }
+}
+
+/// `values` with their midpoints.
+fn halved(values: &[f64]) -> Vec<f64> {
+    let pairs = values.windows(2);
+    let between = pairs.flat_map(|pair| [pair[0], f64::midpoint(pair[0], pair[1])]);
+    between.chain(values.last().copied()).collect()
 }
 
 /// Equal spacing, and optionally coarser beyond some distance.

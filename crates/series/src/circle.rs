@@ -146,7 +146,8 @@ impl Surface {
         }
     }
 
-    fn at(&self, [log, odd]: [f64; 2]) -> [[f64; 2]; 2] {
+    /// u by a unit traction from the means L and S, times π.
+    pub(crate) fn at(&self, [log, odd]: [f64; 2]) -> [[f64; 2]; 2] {
         let [[a, b], [c, d]] = self.log.map(|row| row.map(|value| value * log));
         let turn = self.odd * odd;
         [[a, b - turn], [c + turn, d]]

@@ -26,6 +26,14 @@ pub enum SeriesError {
         /// Their distance `[rad]`.
         spacing: f64,
     },
+    /// Places that no hats stand on.
+    #[error("node {} stands at {place}: places must be finite and increase, from 0 on in a half", node + 1)]
+    Place {
+        /// The node.
+        node: usize,
+        /// Its place `[length]`.
+        place: f64,
+    },
     /// A length that is not positive.
     #[error("the {what} is {value}, not a positive length")]
     Length {
@@ -88,6 +96,9 @@ pub enum SeriesError {
         /// What is wrong with it.
         what: &'static str,
     },
+    /// A half model that moves along x, across its line of symmetry.
+    #[error("a half model does not move along x")]
+    MovesAcross,
     /// A hole that reaches the outline.
     #[error("the outline comes within {distance} of the hole's centre, the hole reaches {radius}")]
     HoleOutside {

@@ -9,7 +9,7 @@
 //! form in coordinates that are scaled by the lengths of the elements, which keeps all digits where a spacing of 1e-4 stands beside one of
 //! 0.05. Elements apart are integrated by Gauss's rule, and cut in half where they are longer than their distance.
 
-mod pairs;
+pub(crate) mod pairs;
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Interface operators of circular bodies, without a mesh.
+//! Interface operators of circular bodies and of half-planes, without a mesh.
 //!
 //! A pin and the plate around its hole meet on a circle, on which elasticity is diagonal: with tractions q = Σ q_K e^{iKθ} along x and y (as x + iy),
 //! the displacements are
@@ -18,6 +18,7 @@
 //! | [`Plate`] | hole in a plate with straight outer edges, [`Outline`], isotropic or anisotropic |
 //! | [`Disk`] | pin, loaded and held at its centre or over its area |
 //! | [`Field`] | stresses and displacements anywhere in a body |
+//! | [`LineNodes`], [`HalfPlane`], [`HalfPlaneField`] | the same along a straight edge: half-planes |
 //!
 //! Signs: tension positive; forces λ and tractions q act on the body. θ counts from x, counter-clockwise. Any consistent units.
 //!
@@ -32,9 +33,11 @@ mod elasticity;
 mod error;
 mod field;
 mod gauss;
+mod half_plane;
 mod hole;
 mod kernel;
 mod lekhnitskii;
+mod line;
 mod nodes;
 mod outline;
 mod plate;
@@ -44,7 +47,9 @@ pub use circle::Circle;
 pub use disk::{Anchor, Disk, DiskLoad};
 pub use error::SeriesError;
 pub use field::{Field, PolarStress};
+pub use half_plane::{Ground, HalfPlane, HalfPlaneField, Lies};
 pub use hole::{FarLoad, Hole};
+pub use line::LineNodes;
 pub use nodes::Nodes;
 pub use outline::Outline;
 pub use plate::{Accuracy, EdgeLoad, Fit, Plate};

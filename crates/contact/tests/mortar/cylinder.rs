@@ -25,6 +25,7 @@ fn meshes(cells: usize, kind: ElementKind) -> CylinderOnBlockMeshes {
         spacing: INNER / cells as f64,
         // The whole mesh is refined, not the contact alone.
         growth: 1.0 + 1.6 / cells as f64,
+        columns: None,
         extent: Extent::Half,
         kind,
     }

@@ -113,7 +113,8 @@ impl Contacts {
             means: body
                 .series
                 .as_ref()
-                .map(|series| series.nodes().mean_angles()),
+                .and_then(|series| Some(series.circle_nodes()?.mean_angles())),
+            line: body.series.as_ref().and_then(|series| series.line_nodes()),
             thickness: body.thickness(),
             material_angle: body.material_angle(),
         };
@@ -126,7 +127,7 @@ impl Contacts {
                 .find_map(|&own| plan.bodies[own].series.as_deref());
             let series = series.filter(|_| bodies.iter().any(is_of_elements));
             let faced = plan.bodies[second.body].series.as_deref();
-            let faced = faced.map(SeriesBody::nodes);
+            let faced = faced.and_then(SeriesBody::circle_nodes);
             let sides = [&above, &below];
             let facing = tied.facing(self.pairs.len(), sides, &points, (series, faced))?;
             self.facings.push(facing);

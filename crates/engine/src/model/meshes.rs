@@ -13,7 +13,7 @@ use super::plan::{BodyPlan, Plan};
 use super::{Meshes, ModelError};
 use crate::results::Choice;
 use stickslip_scene::limits::Limits;
-use stickslip_scene::schema::Division;
+use stickslip_scene::schema::{Division, MeshSettings};
 use stickslip_scene::shape::{Divided, DivisionError, Meshing};
 
 /// Largest number of nodes of one body.
@@ -80,13 +80,18 @@ fn meshing(
 ) -> Result<Meshing, DivisionError> {
     let grading = match body.mesh.division {
         Division::Linear(grading) => Some(grading),
-        Division::AngleList(_) | Division::Angular(_) => None,
+        Division::AngleList(_) | Division::Angular(_) | Division::Places(_) => None,
+    };
+    let places = match &body.mesh.division {
+        Division::Places(places) => Some(places.as_slice()),
+        _ => None,
     };
     body.shape.meshing(&Divided {
         kind: body.mesh.element,
         angles,
         spacing: grading.map(|grading| grading.spacing),
         fine_to: grading.and_then(|grading| grading.fine_to),
+        places,
         layers: body.mesh.layers,
         most_layers,
         extent: if half { Extent::Half } else { Extent::Whole },
@@ -94,6 +99,36 @@ fn meshing(
         partner: partner.map(|partner| &**partner.shape),
         most: NODE_LIMIT,
     })
+}
+
+/// Places of the corner nodes along the contact edge `edge` of the line contact of `body`, divided as `mesh` says, ascending.
+pub(super) fn on_line(
+    plan: &Plan<'_>,
+    index: usize,
+    mesh: MeshSettings,
+    edge: &str,
+    half: bool,
+) -> Result<Vec<f64>, ModelError> {
+    let partners = partners::of(plan)?;
+    let own = BodyPlan {
+        mesh,
+        ..plan.bodies[index].clone()
+    };
+    let partner = partners.get(&index).map(|&partner| &plan.bodies[partner]);
+    let refused = |what: String| ModelError::MeshSettings {
+        body: own.name.to_owned(),
+        what,
+    };
+    let made = meshing(&own, partner, &[], half, SHOWN_LAYERS);
+    let made = made.and_then(|made| Ok(made.generator.generate_within(NODE_LIMIT)?));
+    let mesh = made.map_err(|cause| refused(cause.to_string()))?;
+    let path = mesh
+        .edge_path(edge)
+        .map_err(|cause| refused(cause.to_string()))?;
+    let x = path.nodes.iter().map(|&node| mesh.nodes()[node][0]);
+    let mut places: Vec<f64> = x.collect();
+    places.sort_by(f64::total_cmp);
+    Ok(places)
 }
 
 /// The choice of radial layers, where any were chosen.

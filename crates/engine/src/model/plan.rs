@@ -248,7 +248,7 @@ impl BodyPlan<'_> {
             Division::Angular(grading) | Division::Linear(grading) => {
                 self.shape.fine_to(grading.fine_to)
             }
-            Division::AngleList(_) => None,
+            Division::AngleList(_) | Division::Places(_) => None,
         }
     }
 }

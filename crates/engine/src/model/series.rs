@@ -10,11 +10,12 @@ use stickslip_scene::schema::{BodyModel, Division, Grading, Hold, LoadKind, Mesh
 use stickslip_scene::shape::{Curve, Role};
 use stickslip_series::{Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, Nodes, Outline, Plate};
 
+use super::half_plane;
 use super::meshes::on_circles;
 use super::plan::{BodyPlan, Plan};
 use super::{Model, ModelError};
 use crate::results::Choice;
-use crate::series::{SeriesBody, is_isotropic};
+use crate::series::{SeriesBody, SeriesNodes, is_isotropic};
 
 /// Fit of the outer edge of an anisotropic plate. Near its corners stresses are less smooth than in an isotropic one, which matters little on the hole.
 const ANISOTROPIC: Accuracy = Accuracy {
@@ -33,12 +34,15 @@ pub(super) fn choose(
     choices: &mut Vec<Choice>,
 ) -> Result<(), ModelError> {
     let asked: Vec<BodyModel> = scene.bodies.values().map(|body| body.model).collect();
-    let explicit = asked.contains(&BodyModel::Series);
+    let explicit = asked.iter().any(|model| model.is_closed_form());
     let auto = !explicit && !plan.is_divided && !plan.contacts.is_empty();
+    if explicit && !plan.is_divided {
+        one_kind(plan, &asked)?;
+    }
     let mut made = Vec::new();
     for (index, asked) in asked.iter().enumerate() {
         let wanted = match asked {
-            BodyModel::Series => true,
+            BodyModel::Series | BodyModel::HalfPlane => true,
             BodyModel::Elements => false,
             BodyModel::Auto => auto || (explicit && !plan.is_divided),
         };
@@ -47,11 +51,16 @@ pub(super) fn choose(
         }
         let division = division(plan, scene, index);
         let ready = known.and_then(|model| model.bodies[index].series.clone());
-        let fits = |ready: &Arc<SeriesBody>| {
-            let nodes = nodes(plan, index, &division, half);
-            nodes.is_ok_and(|nodes| nodes == *ready.nodes())
+        let fits = |ready: &Arc<SeriesBody>| match ready.nodes() {
+            SeriesNodes::Circle(known) => {
+                nodes(plan, index, &division, half).is_ok_and(|nodes| nodes == *known)
+            }
+            SeriesNodes::Line(known) => {
+                half_plane::nodes(plan, index, &division, half).is_ok_and(|nodes| nodes == *known)
+            }
         };
         let ready = ready.filter(fits);
+        let is_line = half_plane::stands_for_one(plan, index);
         let failure = scene.failure.as_ref();
         let is_followed = failure.is_some_and(|failure| failure.progressive.is_some());
         let made_of = match ready {
@@ -59,17 +68,34 @@ pub(super) fn choose(
                 Err("is in a joint whose failure is followed, which elements do".into())
             }
             Some(ready) => Ok(ready),
+            None if *asked == BodyModel::Series && is_line => Err(format!(
+                "is a {}, which model = \"half-plane\" can be",
+                plan.bodies[index].shape.name()
+            )),
+            None if explicit && is_line => line(plan, index, &division, half).map(Arc::new),
             None => body(plan, index, &division, half).map(Arc::new),
         };
         match made_of {
             Ok(body) => made.push((index, division, body)),
-            Err(why) if *asked == BodyModel::Series => {
+            Err(why) if asked.is_closed_form() => {
                 return Err(ModelError::NotSeries {
                     body: plan.bodies[index].name.to_owned(),
+                    model: if is_line && *asked == BodyModel::HalfPlane {
+                        "as a half-plane"
+                    } else {
+                        "by series"
+                    },
                     why,
                 });
             }
             // Without a mesh either all elastic bodies are series or none is, so that nodes of a pair fit.
+            Err(_) if !explicit && is_line => {
+                let (name, shape) = (plan.bodies[index].name, plan.bodies[index].shape.name());
+                let why = format!(
+                    "body '{name}' is a {shape}, whose outline model = \"half-plane\" would leave out"
+                );
+                return elements(plan, &why, choices);
+            }
             Err(why) if !explicit => {
                 let why = format!("body '{}' {why}", plan.bodies[index].name);
                 return elements(plan, &why, choices);
@@ -93,9 +119,40 @@ pub(super) fn choose(
             "circles without a mesh of the scene have a closed form and a fitted outer edge: no factorisation".into()
         },
     });
-    for (index, division, body) in made {
+    for (index, mut division, body) in made {
+        if let Some(nodes) = body.line_nodes() {
+            // The same places, and few rows to show fields on.
+            division.division = Division::Places(nodes.places().to_vec());
+        }
         plan.bodies[index].mesh = division;
         plan.bodies[index].series = Some(body);
+    }
+    Ok(())
+}
+
+/// Refuses half-planes without a mesh beside a body that needs one, and nodes of circles for them.
+fn one_kind(plan: &Plan<'_>, asked: &[BodyModel]) -> Result<(), ModelError> {
+    let is_half_plane = |index: &usize| asked[*index] == BodyModel::HalfPlane;
+    if plan.analysis.contact_nodes.is_some() && (0..asked.len()).any(|index| is_half_plane(&index))
+    {
+        return Err(ModelError::Unsupported {
+            key: "analysis.contact_nodes".into(),
+            what: "contact_nodes are those of half circles, and half-planes touch along a line; give mesh.spacing instead, or leave it out".into(),
+        });
+    }
+    for [first, second] in plan.pairs() {
+        for (own, partner) in [(first, second), (second, first)] {
+            if is_half_plane(&own) && asked[partner] == BodyModel::Elements {
+                return Err(ModelError::NotSeries {
+                    body: plan.bodies[own].name.to_owned(),
+                    model: "as a half-plane",
+                    why: format!(
+                        "touches '{}', which is to be of elements, without a mesh",
+                        plan.bodies[partner].name
+                    ),
+                });
+            }
+        }
     }
     Ok(())
 }
@@ -139,6 +196,25 @@ fn division(plan: &Plan<'_>, scene: &Scene, index: usize) -> MeshSettings {
         layers: None,
         ..given
     }
+}
+
+/// The body of a line contact with the index `index` as a half-plane; otherwise why it cannot be one.
+fn line(
+    plan: &Plan<'_>,
+    index: usize,
+    division: &MeshSettings,
+    half: bool,
+) -> Result<SeriesBody, String> {
+    let Membrane::Isotropic(material) = membrane(plan, &plan.bodies[index])? else {
+        return Err("is not isotropic".into());
+    };
+    let nodes = half_plane::nodes(plan, index, division, half)?;
+    let body = half_plane::body(plan, index, (nodes, &material), half)?;
+    let [low, high] = plan.bodies[index].shape.bounds();
+    Ok(SeriesBody::HalfPlane {
+        body: Box::new(body),
+        size: high[0].min(high[1] - low[1]),
+    })
 }
 
 /// The body with the index `index` as a series; otherwise why it cannot be one, as the end of a sentence about it.

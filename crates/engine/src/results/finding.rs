@@ -181,6 +181,15 @@ pub enum ContactFinding {
         /// The distance of nodes there.
         spacing: Quantity,
     },
+    /// It is between half-planes, and errors do not contain what the outlines of the bodies change.
+    OutlineLeftOut {
+        /// The load step in which it reaches farthest.
+        step: usize,
+        /// The farthest place there, from where it starts.
+        reach: Quantity,
+        /// The smaller of the half length and the depth of the bodies.
+        size: Quantity,
+    },
     /// Its pressures node by node are not unique, because the first body has more nodes than the soft second one can follow.
     RipplingPressures {
         /// First and second body.

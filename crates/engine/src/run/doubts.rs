@@ -10,7 +10,7 @@ use super::remarks::steps_where;
 use super::solved::Solved;
 use crate::model::Model;
 use crate::results::{
-    ContactFinding, CutBackEffect, EdgeGeometry, EdgeResults, Finding, SolverDependence,
+    ContactFinding, CutBackEffect, EdgeGeometry, EdgeResults, Finding, Quantity, SolverDependence,
     StepResults,
 };
 
@@ -26,6 +26,34 @@ pub(super) fn of_steps(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
         .chain(unbalanced(steps))
         .chain(edges.filter_map(|(index, edge)| unresolved(&edge.geometry, index, steps)))
         .collect()
+}
+
+/// Contacts between half-planes, with how far they reach.
+pub(super) fn of_outlines(
+    model: &Model,
+    edges: &[EdgeGeometry],
+    steps: &[StepResults],
+) -> Vec<Finding> {
+    let of_edge = |(index, geometry): (usize, &EdgeGeometry)| {
+        let pair = &model.pairs[model.edges[index].pair?];
+        let sizes =
+            [pair.first, pair.second].map(|body| model.bodies[body].series.as_ref()?.outline());
+        let size = sizes.into_iter().flatten().reduce(f64::min)?;
+        let reach = |step: &StepResults| {
+            let rows = step.edges[index].rows.iter().zip(&geometry.parameter);
+            let touching = rows.filter(|(row, _)| row.status.touches());
+            touching.fold(0.0_f64, |most, (_, place)| most.max(place.abs()))
+        };
+        let farthest = steps.iter().map(reach).zip(1..);
+        let (reach, step) = farthest.max_by(|one, other| one.0.total_cmp(&other.0))?;
+        let found = ContactFinding::OutlineLeftOut {
+            step,
+            reach: Quantity::Length(reach),
+            size: Quantity::Length(size),
+        };
+        Some(Finding::about(&geometry.name, found))
+    };
+    edges.iter().enumerate().filter_map(of_edge).collect()
 }
 
 /// Where the answer of an experimental solver is not verified.

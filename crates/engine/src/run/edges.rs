@@ -8,8 +8,6 @@ use stickslip_contact::{ContactState, Contacts, Status, StepRecord};
 use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
 
-use stickslip_series::PolarStress;
-
 use super::bearing;
 use super::fields::Recovered;
 use super::reported::{Reported, clear_friction, clear_stresses, clear_sums, reported};
@@ -143,7 +141,7 @@ fn series_stresses(
     states: &[BodyLoad<'_>],
 ) -> Result<Vec<Vec<[f64; 3]>>, SeriesError> {
     let own = model.bodies[edge.geometry.body].elastic();
-    if let (EdgeKind::Line, Some(own)) = (edge.geometry.kind, own) {
+    if let (EdgeKind::Line, None, Some(own)) = (edge.geometry.kind, edge.pair, own) {
         let nodes = own.mesh().nodes();
         let of_state = |state| {
             let field = body.field(state)?;
@@ -155,10 +153,7 @@ fn series_stresses(
         };
         return states.iter().map(of_state).collect();
     }
-    let polar = |stress: &PolarStress| [stress.radial, stress.hoop, stress.shear];
-    let found = body.edge_stresses(states, &edge.geometry.parameter)?;
-    let rows = found.iter().map(|row| row.iter().map(polar).collect());
-    Ok(rows.collect())
+    body.edge_stresses(states, &edge.geometry.parameter)
 }
 
 /// Displacements of a contact edge's nodes that strain its first body: u = C λ + Σ m_k u_k, no sparse solve.

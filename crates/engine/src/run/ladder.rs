@@ -22,6 +22,7 @@ use stickslip_scene::schema::{Accuracy, Budget, FieldOutput, KinematicsChoice};
 
 use self::along::Along;
 use self::geometry::Geometry;
+use self::grading::Grading;
 use self::models::{Division, Level, Models};
 use self::numbers::{Numbers, Table, difference, sum};
 use super::{Progress, RunError, results, results_without_audit};
@@ -41,6 +42,8 @@ const PATH_SHARE: f64 = 0.5;
 const GEOMETRY_SHARE: f64 = 0.3;
 /// Budget of a scene that asks for no accuracy `[s]`.
 const PATIENCE: f64 = 60.0;
+/// Times that nodes of a line contact are moved closer to it, each time by about thirty, until it has some.
+const ZOOMS: usize = 8;
 /// A finer model takes about so many times as long as the last one.
 const GROWTH: f64 = 4.0;
 
@@ -170,7 +173,17 @@ impl Climb<'_> {
             self.models.kinematics = KinematicsChoice::Small;
         }
         if self.models.is_graded() {
-            let coarse = self.models.level(0, substeps, progress)?;
+            let mut coarse = self.models.level(0, substeps, progress)?;
+            for _ in 0..ZOOMS {
+                if !self.models.of_lines {
+                    break;
+                }
+                self.models.grade(&coarse, 0);
+                coarse = self.models.level(0, substeps, progress)?;
+                if Grading::resolves(&coarse.numbers) {
+                    break;
+                }
+            }
             self.models.grade(&coarse, 1);
         }
         let mut small = self.models.level(1, substeps, progress)?;

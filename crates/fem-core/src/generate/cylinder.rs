@@ -13,7 +13,7 @@
 //! Both bodies have the same grid lines x, so their contact nodes face each other.
 
 use super::count::{Count, within};
-use super::spacing::{at_step, geometric, geometric_cells, positive};
+use super::spacing::{at_least, at_step, geometric, geometric_cells, increasing, positive};
 use super::{Blocks, Extent, Generate, GenerateError, MeshEstimate, Side};
 use crate::mesh::{Curve, ElementKind, Mesh};
 
@@ -33,6 +33,7 @@ use crate::mesh::{Curve, ElementKind, Mesh};
 ///     inner: 2.0,
 ///     spacing: 0.25,
 ///     growth: 1.2,
+///     columns: None,
 ///     extent: Extent::Half,
 ///     kind: ElementKind::Q4,
 /// }
@@ -54,6 +55,8 @@ pub struct CylinderOnBlock {
     pub spacing: f64,
     /// Largest growth of cells from one to the next further out and further down, at least 1.
     pub growth: f64,
+    /// Grid lines x `[length]` instead of those that `inner`, `spacing` and `growth` make: increasing, from −L or in a half from 0 to L.
+    pub columns: Option<Vec<f64>>,
     /// x ≥ 0 only, or all.
     pub extent: Extent,
     /// Kind of the cells.
@@ -95,6 +98,9 @@ impl CylinderOnBlock {
             }
         };
         smaller("half width", self.half_width, "radius", self.radius)?;
+        if let Some(columns) = &self.columns {
+            self.check_columns(columns)?;
+        }
         smaller("inner width", self.inner, "half width", self.half_width)?;
         smaller(
             "rise of the cap",
@@ -102,6 +108,33 @@ impl CylinderOnBlock {
             "height",
             self.height,
         )
+    }
+
+    fn check_columns(&self, columns: &[f64]) -> Result<(), GenerateError> {
+        at_least("grid lines", columns.len(), 2)?;
+        increasing("grid lines", columns)?;
+        let first = match self.extent {
+            Extent::Half => 0.0,
+            Extent::Whole => -self.half_width,
+        };
+        let ends = [
+            (columns[0], first, "first grid line"),
+            (
+                columns[columns.len() - 1],
+                self.half_width,
+                "last grid line",
+            ),
+        ];
+        for (value, expected, what) in ends {
+            if (value - expected).abs() > 1e-9 * self.half_width {
+                return Err(GenerateError::WrongEnd {
+                    what,
+                    expected: "an end of the body",
+                    value,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// Height of the cylinder's surface `[length]`, in the form that keeps its digits near x = 0.
@@ -124,6 +157,10 @@ impl CylinderOnBlock {
     fn cells(&self) -> Result<[usize; 2], GenerateError> {
         self.check()?;
         let h = self.inner_spacing();
+        let rows = geometric_cells(0.0, self.height, h, self.growth)?;
+        if let Some(columns) = &self.columns {
+            return Ok([columns.len() - 1, rows]);
+        }
         let outer = geometric_cells(self.inner, self.half_width, h, self.growth)?;
         let half = outer.saturating_add(self.inner_cells());
         let columns = if self.extent == Extent::Whole {
@@ -131,10 +168,13 @@ impl CylinderOnBlock {
         } else {
             half
         };
-        Ok([columns, geometric_cells(0.0, self.height, h, self.growth)?])
+        Ok([columns, rows])
     }
 
     fn columns(&self) -> Result<Vec<f64>, GenerateError> {
+        if let Some(columns) = &self.columns {
+            return Ok(columns.clone());
+        }
         let cells = self.inner_cells();
         let equal = (0..cells).map(|k| self.inner * (k as f64 / cells as f64));
         let outer = geometric(

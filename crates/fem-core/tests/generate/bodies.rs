@@ -62,6 +62,7 @@ pub(crate) fn cylinder(extent: Extent, spacing: f64, kind: ElementKind) -> Cylin
         inner: 1.0,
         spacing,
         growth: 1.3,
+        columns: None,
         extent,
         kind,
     }

@@ -240,6 +240,7 @@ fn cylinders_and_rectangles_refuse_bad_input() {
             inner: 1.0,
             spacing: 0.5,
             growth: 1.3,
+            columns: None,
             extent: Extent::Half,
             kind: ElementKind::Q4,
         };

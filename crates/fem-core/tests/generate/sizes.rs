@@ -40,6 +40,7 @@ fn estimates_are_exact() -> Outcome {
                 inner: 1.0,
                 spacing: 0.21,
                 growth: 1.17,
+                columns: None,
                 extent,
                 kind,
             };

@@ -3,7 +3,8 @@
 use super::Builder;
 use crate::document::child;
 use crate::format::SceneFormat;
-use crate::schema::{Accuracy, Analysis, BodyModel, RelativeError, Substance};
+use crate::schema::{Accuracy, Analysis, BodyModel, KinematicsChoice, RelativeError, Substance};
+use crate::shape::Role;
 
 impl Builder<'_> {
     /// Refuses an accuracy that no run can have, and a budget without one.
@@ -68,6 +69,7 @@ impl Builder<'_> {
             let remedy = "remove the table mesh, or say model = \"elements\"";
             self.conflict("mesh", message, remedy);
         }
+        self.half_planes(format);
         for name in &series {
             let (own, model) = (child("bodies", name), "model = \"series\"");
             if format.bodies[name].mesh.is_some() {
@@ -75,6 +77,36 @@ impl Builder<'_> {
                 let message = format!("{key} divides a body that {model} leaves whole");
                 self.conflict(&key, message, "remove one of the two");
             }
+        }
+    }
+
+    /// Refuses half-planes of shapes that stand for none, and of a geometry that half-planes do not have.
+    fn half_planes(&mut self, format: &SceneFormat) {
+        let asked = self.bodies.iter();
+        let asked = asked.filter(|(_, body)| body.model == BodyModel::HalfPlane);
+        let asked: Vec<_> = asked
+            .map(|(name, body)| (name.clone(), body.shape))
+            .collect();
+        for (name, shape) in &asked {
+            let is_line = [Role::Cap, Role::Surface].map(|role| shape.edge_with(role).is_some());
+            if !is_line.contains(&true) {
+                let key = child(&child("bodies", name), "model");
+                let message = format!(
+                    "{key} = \"half-plane\" is for a block or a cylinder, and '{name}' is a {}",
+                    shape.name()
+                );
+                self.conflict(&key, message, "say model = \"elements\" or \"auto\"");
+            }
+        }
+        let follows = format.analysis.kinematics == Some(KinematicsChoice::DeformedGaps);
+        if follows && !asked.is_empty() {
+            let key = "analysis.kinematics";
+            let message = "half-planes touch on the undeformed geometry, as Hertz has it, and \"deformed-gaps\" follows the displacement";
+            self.conflict(
+                key,
+                message,
+                "say kinematics = \"small\", or model = \"elements\"",
+            );
         }
     }
 }

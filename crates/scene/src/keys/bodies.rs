@@ -43,9 +43,10 @@ pub(super) const TABLES: &[Table] = &[
             "thickness; also in plane strain, where forces are those on this length; one that contradicts the laminate is \
             refused").range(POSITIVE),
         table_as("shape", REQUIRED, r#".disk = { radius = "5 mm" }"#, "outline"),
-        words("model", r#"`"auto"`, `"series"`, `"elements"`"#, r#"`"auto"`"#, r#""series""#,
-            "how its compliance is found: by series about its contact circle, which needs no mesh, or by finite elements; auto takes \
-            series where the scene gives no mesh and they can hold the body; not of a rigid one"),
+        words("model", r#"`"auto"`, `"series"`, `"half-plane"`, `"elements"`"#, r#"`"auto"`"#, r#""series""#,
+            "how its compliance is found: by series about its contact circle, which needs no mesh, as the half-plane that a block or a \
+            cylinder stands for, or by finite elements; auto takes series where the scene gives no mesh and they can hold the body; not of a \
+            rigid one"),
         table("mesh", "that of the [scene](#mesh)", "how finely this body is divided; not of a rigid one"),
     ]).one_of(&[&["material"], &["rigid"]], r#"material = "…", rigid = true"#),
     Table::new("bodies.NAME.mesh", OWN_MESH).at_most_one_of(DIVISIONS, DIVISION_CHOICES),

@@ -19,7 +19,15 @@ pub(super) fn fine_to(given: Option<f64>, half_length: f64) -> f64 {
 
 /// The mesh of `own`, which has a cap or a surface, with its partner's grid lines.
 pub(super) fn meshing(own: &dyn Outline, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
-    let spacing = divided.spacing.ok_or(DivisionError::NeedsLength)?;
+    let places = divided.places.map(<[f64]>::to_vec);
+    let closest = places.as_ref().map(|places| {
+        let widths = places.windows(2).map(|ends| ends[1] - ends[0]);
+        widths.fold(f64::INFINITY, f64::min)
+    });
+    let spacing = divided
+        .spacing
+        .or(closest)
+        .ok_or(DivisionError::NeedsLength)?;
     let partner = divided.partner.ok_or(DivisionError::NoPartner)?;
     let lengths = [own, partner].map(|shape| shape.bounds()[1][0]);
     let heights = [own, partner].map(|shape| {
@@ -34,7 +42,15 @@ pub(super) fn meshing(own: &dyn Outline, divided: &Divided<'_>) -> Result<Meshin
                 Curve::Circle { .. } | Curve::Segment { .. } => None,
             });
     let half_width = lengths[0].min(lengths[1]);
-    let inner = fine_to(divided.fine_to, half_width);
+    let height = heights[0].min(heights[1]);
+    let (inner, growth) = match &places {
+        // Nothing is solved on the rows.
+        Some(_) => (
+            spacing,
+            GROWTH.max((height / spacing).powf(1.0 / divided.most_layers as f64)),
+        ),
+        None => (fine_to(divided.fine_to, half_width), GROWTH),
+    };
     let cells = inner / spacing;
     if cells * cells > divided.most as f64 {
         return Err(DivisionError::TooManyNodes {
@@ -44,10 +60,11 @@ pub(super) fn meshing(own: &dyn Outline, divided: &Divided<'_>) -> Result<Meshin
     let pair = CylinderOnBlock {
         radius: radius.ok_or(DivisionError::NoPartner)?,
         half_width,
-        height: heights[0].min(heights[1]),
+        height,
         inner,
         spacing,
-        growth: GROWTH,
+        growth,
+        columns: places,
         extent: divided.extent,
         kind: divided.kind,
     };

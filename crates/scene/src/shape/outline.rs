@@ -301,9 +301,11 @@ pub struct Divided<'a> {
     pub spacing: Option<f64>,
     /// Up to where that spacing holds, where the scene says so.
     pub fine_to: Option<f64>,
+    /// Places of the corner nodes on the contact edge instead, from end to end.
+    pub places: Option<&'a [f64]>,
     /// Layers between a hole and what surrounds it, where the scene gives them.
     pub layers: Option<usize>,
-    /// Most layers of a round shape where the scene gives none.
+    /// Most layers of a round shape, and rows below given places, where the scene gives none.
     pub most_layers: usize,
     /// Half or whole.
     pub extent: Extent,

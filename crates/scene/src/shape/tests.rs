@@ -66,6 +66,7 @@ fn divided<T>(shape: &Shape, extent: Extent, then: impl Fn(&Divided<'_>) -> T) -
         angles: if shape.is_round() { &angles } else { &[] },
         spacing: (!shape.is_round()).then_some(0.75),
         fine_to: None,
+        places: None,
         layers: None,
         most_layers: usize::MAX,
         extent,

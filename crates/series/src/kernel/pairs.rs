@@ -8,6 +8,33 @@ use super::{log_kernel, remainder};
 use crate::gauss::Rules;
 use crate::nodes::{Element, Nodes};
 
+/// A logarithmic kernel.
+pub(crate) trait LogKernel {
+    /// L(x).
+    fn log(x: f64) -> f64;
+    /// L(x) + ln|x|; `None` where that is zero.
+    const REMAINDER: Option<fn(f64) -> f64>;
+}
+
+/// L = −ln |2 sin x/2|.
+pub(crate) struct OnCircle;
+/// L = −ln |x|.
+pub(crate) struct OnLine;
+
+impl LogKernel for OnCircle {
+    fn log(x: f64) -> f64 {
+        log_kernel(x)
+    }
+    const REMAINDER: Option<fn(f64) -> f64> = Some(remainder);
+}
+
+impl LogKernel for OnLine {
+    fn log(x: f64) -> f64 {
+        -x.abs().ln()
+    }
+    const REMAINDER: Option<fn(f64) -> f64> = None;
+}
+
 /// A distance of elements below this one `[rad]` is rounding, of angles up to two turns.
 const TOUCHING: f64 = 1e-13;
 
@@ -79,14 +106,14 @@ fn mirror(nodes: &Nodes) -> Vec<usize> {
 }
 
 /// Integrals over an element by the knots of its ends, and over another by those of its own.
-type Block = [[f64; 2]; 2];
+pub(crate) type Block = [[f64; 2]; 2];
 
 /// ∬ of L and of S over θ in `e` and φ in `f`.
 fn pair(rules: &Rules, e: &Element, f: &Element) -> (Block, Block) {
     let (h, k) = (e.length, f.length);
     if e == f {
         return (
-            log_of_one(rules, h),
+            log_of_one::<OnCircle>(rules, h),
             [
                 [0.0, -h * h / 12.0 * PI + h * h * h / 24.0],
                 [h * h / 12.0 * PI - h * h * h / 24.0, 0.0],
@@ -104,47 +131,51 @@ fn pair(rules: &Rules, e: &Element, f: &Element) -> (Block, Block) {
     let odd = |a: usize, b: usize| 0.125 * h * k * (PI - (forward + centre[a] * h - centre[b] * k));
     let odds = [[odd(0, 0), odd(0, 1)], [odd(1, 0), odd(1, 1)]];
     let logs = if after <= before {
-        let [[nn, nf], [fnear, ff]] = apart(rules, h, k, after);
+        let [[nn, nf], [fnear, ff]] = apart::<OnCircle>(rules, h, k, after);
         // The near end of the later is its first, that of the earlier its second.
         [[nf, nn], [ff, fnear]]
     } else {
-        let [[nn, nf], [fnear, ff]] = apart(rules, h, k, before);
+        let [[nn, nf], [fnear, ff]] = apart::<OnCircle>(rules, h, k, before);
         [[fnear, ff], [nn, nf]]
     };
     (logs, odds)
 }
 
 /// Over one element of length `h` twice: ∬ −ln|x − y| of the half hats on a unit length is 7/16 for equal ones and 5/16 for the two.
-fn log_of_one(rules: &Rules, h: f64) -> Block {
+pub(crate) fn log_of_one<K: LogKernel>(rules: &Rules, h: f64) -> Block {
     let (equal, other) = (7.0 / 16.0 - 0.25 * h.ln(), 5.0 / 16.0 - 0.25 * h.ln());
     let mut block = [
         [equal * h * h, other * h * h],
         [other * h * h, equal * h * h],
     ];
-    gauss(rules.longest(), h, h, |u, v| remainder(u - v), &mut block);
+    if let Some(remainder) = K::REMAINDER {
+        gauss(rules.longest(), h, h, |u, v| remainder(u - v), &mut block);
+    }
     block
 }
 
-/// Over two elements of lengths `h` and `k` at the distance `gap`, by their near and far ends: ∬ L(gap + u + v) du dv, u and v from the near
+/// Over two elements of lengths `h` and `k` at the distance `gap`, 0 where they touch, by their near and far ends: ∬ L(gap + u + v) du dv, u and v from the near
 /// ends.
-fn apart(rules: &Rules, h: f64, k: f64, gap: f64) -> Block {
+pub(crate) fn apart<K: LogKernel>(rules: &Rules, h: f64, k: f64, gap: f64) -> Block {
     let longer = h.max(k);
     if gap >= longer {
         let mut block = Block::default();
         let rule = rules.at(gap / longer);
-        gauss(rule, h, k, |u, v| log_kernel(gap + u + v), &mut block);
+        gauss(rule, h, k, |u, v| K::log(gap + u + v), &mut block);
         block
     } else if gap < TOUCHING {
         let mut block = touching(rules, h, k);
-        gauss(rules.longest(), h, k, |u, v| remainder(u + v), &mut block);
+        if let Some(remainder) = K::REMAINDER {
+            gauss(rules.longest(), h, k, |u, v| remainder(u + v), &mut block);
+        }
         block
     } else if h >= k {
-        let near = apart(rules, 0.5 * h, k, gap);
-        let far = apart(rules, 0.5 * h, k, gap + 0.5 * h);
+        let near = apart::<K>(rules, 0.5 * h, k, gap);
+        let far = apart::<K>(rules, 0.5 * h, k, gap + 0.5 * h);
         halves(near, far)
     } else {
-        let near = apart(rules, h, 0.5 * k, gap);
-        let far = apart(rules, h, 0.5 * k, gap + 0.5 * k);
+        let near = apart::<K>(rules, h, 0.5 * k, gap);
+        let far = apart::<K>(rules, h, 0.5 * k, gap + 0.5 * k);
         transposed(halves(transposed(near), transposed(far)))
     }
 }

@@ -8,8 +8,8 @@ use stickslip_fem_core::interface::contract::{Known, check};
 use stickslip_fem_core::material::{Isotropic, PlaneState};
 use stickslip_fem_core::nalgebra::{DMatrix, DVector};
 use stickslip_series::{
-    Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, FarLoad, Hole, Nodes, Outline, Plate,
-    SeriesError,
+    Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, FarLoad, Ground, HalfPlane, Hole, Lies,
+    LineNodes, Nodes, Outline, Plate, SeriesError,
 };
 
 /// Angles on 0 to `end` whose spacings differ by up to a factor of 100.
@@ -127,6 +127,24 @@ proptest! {
         let coarse = Accuracy { tolerance: 0.05, degree: 58 };
         let plate = Plate::new(nodes, &material, circle, &outline, &loads, coarse).unwrap();
         prop_assert_eq!(check(&plate, known), Ok(()));
+    }
+
+    /// The reference length is beyond that of the edge, as the compliance of a net force has to be positive.
+    #[test]
+    fn half_planes_keep_the_contract(
+        offsets in angles(2.0),
+        material in material(),
+        lies in prop_oneof![Just(Lies::Below), Just(Lies::Above)],
+        mirrored in any::<bool>(),
+        force in prop::array::uniform2(-5.0..5.0_f64),
+    ) {
+        let nodes = if mirrored { LineNodes::mirrored(offsets) } else { LineNodes::whole(offsets) };
+        let free = [!mirrored, true];
+        let ground = Ground { lies, thickness: 1.7, reference: 4.0, free };
+        let force = [if mirrored { 0.0 } else { force[0] }, force[1]];
+        let body = HalfPlane::new(nodes.unwrap(), &material, ground, &[force]).unwrap();
+        // It does not turn, so that moments are not balanced.
+        prop_assert_eq!(check(&body, Known::default()), Ok(()));
     }
 
     /// A plane body of another size has the same compliance, one of another stiffness or thickness its inverse.

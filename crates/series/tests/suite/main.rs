@@ -4,6 +4,7 @@ mod contacts;
 mod contract;
 mod edges;
 mod fields;
+mod half_plane;
 mod howland;
 mod orthotropic;
 mod peaks;

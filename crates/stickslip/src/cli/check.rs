@@ -153,6 +153,7 @@ fn mesh_line(scene: &Scene, settings: &MeshSettings) -> String {
             let spacing = scene.display.length.show(grading.spacing);
             format!("{element:?}, corner nodes every {spacing} at the contact point")
         }
+        Division::Places(places) => format!("{element:?}, {} given places", places.len()),
     }
 }
 

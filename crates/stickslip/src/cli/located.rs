@@ -85,7 +85,7 @@ fn mesh_key(scene: &Scene, body: &str) -> String {
     };
     match scene.mesh_of(body).division {
         Division::AngleList(_) => table + ".angles",
-        Division::Angular(_) | Division::Linear(_) => table + ".spacing",
+        Division::Angular(_) | Division::Linear(_) | Division::Places(_) => table + ".spacing",
     }
 }
 

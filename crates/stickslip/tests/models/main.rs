@@ -5,6 +5,7 @@ mod chains;
 mod deformed;
 mod edges;
 mod frames;
+mod half_plane;
 mod halves;
 mod ladder;
 mod mortar;

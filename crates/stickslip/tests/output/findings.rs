@@ -121,6 +121,11 @@ fn of_a_contact() -> Vec<Finding> {
             apart: Quantity::Angle(0.01),
             spacing: Quantity::Angle(0.005),
         },
+        ContactFinding::OutlineLeftOut {
+            step: 2,
+            reach: Quantity::Length(2.54),
+            size: Quantity::Length(25.4),
+        },
         ContactFinding::RipplingPressures {
             bodies: bodies(),
             nodes: [30, 10],

@@ -87,7 +87,9 @@ impl Tied<'_> {
 
 /// Refuses a body by series whose nodes are not equally spaced: means over its hats are not at nodes of elements.
 fn check_spacing(body: &SeriesBody) -> Result<(), ModelError> {
-    let nodes = body.nodes();
+    let Some(nodes) = body.circle_nodes() else {
+        return Ok(());
+    };
     if are_equal(&nodes.mean_angles(), nodes.angles()) {
         return Ok(());
     }

@@ -24,6 +24,7 @@ use crate::model::ModelError;
 use crate::results::{Choice, EdgeKind};
 use stickslip_scene::schema::{Contact, ProjectionChoice};
 use stickslip_scene::units::Unit;
+use stickslip_series::LineNodes;
 
 /// Places along an edge that differ by less than this part of its extent are the same.
 const SAME_PLACE: f64 = 1e-9;
@@ -127,6 +128,8 @@ pub(super) struct Tied<'a> {
     pub(super) is_seated: bool,
     /// Where nodal forces on the first edge act, as in its parameter, if it is that of a series; otherwise at the nodes.
     pub(super) means: Option<Vec<f64>>,
+    /// Nodes of the first edge if it is that of a half-plane, whose gaps are means over hats and whose areas are those of its tangent.
+    pub(super) line: Option<&'a LineNodes>,
     /// Thickness `[mm]` and angle of the 1-axis `[rad]` of the first body.
     pub(super) thickness: f64,
     pub(super) material_angle: f64,
@@ -227,6 +230,19 @@ impl Tied<'_> {
     fn node_pairs(&self, first: &Side<'_>, second: &Side<'_>) -> Vec<ContactPoint> {
         let edge = first.edge;
         let means = self.means.as_ref().unwrap_or(&edge.parameter);
+        let (weights, gaps) = match self.line {
+            Some(line) => {
+                let gaps = self
+                    .gap(0.0)
+                    .map(|_| line.mean(|x| self.gap(x).unwrap_or_default()));
+                (line.weights(), gaps)
+            }
+            None => (edge.weights.clone(), None),
+        };
+        let gap = |k: usize, at: f64| {
+            gaps.as_ref()
+                .map_or_else(|| self.gap(at), |gaps| Some(gaps[k]))
+        };
         let point = |(k, &at): (usize, &f64)| {
             let normal = edge.normal(at);
             let (above, below) = (first.position(k), second.position(k));
@@ -235,8 +251,8 @@ impl Tied<'_> {
                 first: (first.local.start + k).into(),
                 second: (second.local.start + k).into(),
                 normal,
-                gap: self.gap(at).unwrap_or(faceted),
-                area: edge.weights[k] * self.thickness,
+                gap: gap(k, at).unwrap_or(faceted),
+                area: weights[k] * self.thickness,
                 material_angle: self.material_angle,
             }
         };

@@ -22,7 +22,7 @@ pub(in crate::model) fn on_circles(
     let upper = match &body.mesh.division {
         Division::AngleList(angles) => angles.clone(),
         Division::Angular(grading) => graded_angles(body.name, *grading)?,
-        Division::Linear(_) => {
+        Division::Linear(_) | Division::Places(_) => {
             return Err(refuse(
                 "a round contact is divided by an angle, such as spacing = \"1 deg\"".into(),
             ));

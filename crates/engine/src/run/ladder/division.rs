@@ -30,6 +30,8 @@ pub(super) enum Spaced {
     Graded,
     /// The same, with deformed gaps.
     GradedDeformed,
+    /// Graded along a line contact.
+    GradedLine,
 }
 
 impl Spaced {
@@ -227,6 +229,7 @@ fn factor(stated: Stated, nodes: Spaced) -> f64 {
     if nodes.are_graded() {
         return match stated {
             Stated::PeakPressure if nodes == Spaced::GradedDeformed => 3.0,
+            Stated::PeakHoop if nodes == Spaced::GradedLine => 2.6,
             Stated::FrictionForce => 1.6,
             Stated::PeakHoopPlace => 0.7,
             Stated::ContactExtent => 1.1,

@@ -7,23 +7,65 @@
 //! d is the distance of θ from the nearest place where the status changes at the end of load step k or of the one before, c that from a contact that extends over w. Places of
 //! earlier steps, from which slip came that stays, count with twice the spacing for every step since. A place is known to the interval of nodes between which the status changes, so that is its extent.
 //!
+//! Along a straight edge a contact of half extent a counts as one of 2 rad: lengths are a times angles, and nodes that nothing touches stand farther and farther apart.
+//!
 //! Angles of all nodes divide the integral into equal parts; each load step takes those that are as far apart as h_k lets them.
 
 use std::f64::consts::{PI, TAU};
 
 use super::numbers::Numbers;
+use crate::results::{EdgeGeometry, EdgeKind, EdgeResults};
 
 /// Growth of the spacing per length.
 const GROWTH: f64 = 0.4;
 /// Extent of contact that coarse nodes resolve as wanted `[rad]`.
 const WIDE: f64 = 2.0;
+/// Nodes that a contact along a straight edge must have before nodes are graded by it.
+const FEWEST: usize = 12;
+/// Parts of a straight edge as long as nodes far from contact are apart.
+const LINE: f64 = 32.0;
 /// Steps of the integral per fine spacing.
 const POINTS: f64 = 4.0;
+
+/// What nodes stand along.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Domain {
+    /// A circle from 0 to π.
+    HalfCircle,
+    /// A circle all around.
+    Circle,
+    /// A straight edge between two places `[mm]`.
+    Line([f64; 2]),
+}
+
+impl Domain {
+    /// That of a contact edge.
+    pub(super) fn of(geometry: &EdgeGeometry) -> Self {
+        match (geometry.kind, geometry.half, geometry.parameter.as_slice()) {
+            (EdgeKind::Line, _, &[first, .., last]) => Self::Line([first, last]),
+            (_, true, _) => Self::HalfCircle,
+            (_, false, _) => Self::Circle,
+        }
+    }
+
+    fn ends(self) -> [f64; 2] {
+        match self {
+            Self::HalfCircle => [0.0, PI],
+            Self::Circle => [0.0, TAU],
+            Self::Line(ends) => ends,
+        }
+    }
+
+    fn is_line(self) -> bool {
+        matches!(self, Self::Line(_))
+    }
+}
 
 /// How nodes are graded in a history.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Grading {
-    /// Spacing of nodes where nothing touches, and the largest one of all nodes `[rad]`.
+    domain: Domain,
+    /// Spacing of nodes where nothing touches, and the largest one of all nodes `[rad or mm]`.
     widest: f64,
     coarse: f64,
     /// Where nodes are closer, in each load step.
@@ -33,21 +75,30 @@ pub(super) struct Grading {
 impl Grading {
     /// That of the model `rung` after the places of `level`, a coarser one, and their images if `mirrored`; `widest` is the spacing of the first model `[rad]`. Spacings are from rung to
     /// rung a quarter of it near places and half of it elsewhere, for errors fall with the root of the one and the square of the other.
-    pub(super) fn new(level: &Numbers, rung: usize, widest: f64, mirrored: bool) -> Self {
+    pub(super) fn new(
+        level: &Numbers,
+        domain: Domain,
+        (rung, widest): (usize, f64),
+        mirrored: bool,
+    ) -> Self {
         let [fine, coarse] = [4.0, 2.0_f64].map(|ratio| widest / ratio.powi(rung as i32));
         let own: Vec<StepPlaces> = (0..level.steps.len())
-            .map(|step| StepPlaces::of(level, step, coarse))
+            .map(|step| StepPlaces::of(level, domain, step, coarse))
             .collect();
         let places = |step: usize| {
             let mut places: Vec<Place> = Vec::new();
             let since = |before: &usize| (step - before).saturating_sub(1);
             for before in (0..=step).rev().take_while(|before| since(before) < 32) {
                 let spacing = fine * f64::from(1_u32 << since(&before));
-                if spacing >= coarse {
+                if spacing >= coarse && since(&before) > 0 {
                     break;
                 }
-                let changes = own[before].changes.iter();
-                places.extend(changes.map(|&ends| Place::between(ends, spacing)));
+                let StepPlaces { changes, scale, .. } = &own[before];
+                places.extend(
+                    changes
+                        .iter()
+                        .map(|&ends| Place::between(domain, ends, scale * spacing)),
+                );
                 if before + 1 >= step {
                     places.extend(&own[before].contacts);
                 }
@@ -58,17 +109,36 @@ impl Grading {
             }
             places
         };
+        let limit = |limit: f64| match domain {
+            Domain::Line([from, to]) => (to - from) / LINE,
+            _ => limit,
+        };
         Self {
-            widest,
-            coarse,
+            domain,
+            widest: limit(widest),
+            coarse: limit(coarse),
             steps: (0..own.len()).map(places).collect(),
         }
     }
 
-    /// Angles of all nodes from 0 to π of a half model, or all around.
-    pub(super) fn angles(&self, half: bool) -> Vec<f64> {
+    /// Whether every contact of `level` along a straight edge has nodes enough to be graded by.
+    pub(super) fn resolves(level: &Numbers) -> bool {
+        let touching = |results: &EdgeResults| {
+            results
+                .rows
+                .iter()
+                .filter(|row| row.status.touches())
+                .count()
+        };
+        let edges = level.own.iter().flatten().zip(level.steps.iter().flatten());
+        let mut lines = edges.filter(|(own, _)| own.contact && Domain::of(own).is_line());
+        lines.all(|(_, results)| !(1..FEWEST).contains(&touching(results)))
+    }
+
+    /// Angles of all nodes from 0 to π of a half model, or all around; places along a straight edge.
+    pub(super) fn angles(&self) -> Vec<f64> {
         let places: Vec<Place> = self.steps.iter().flatten().copied().collect();
-        angles(half, |angle| spacing(&places, angle, self.coarse))
+        angles(self.domain, |angle| spacing(&places, angle, self.coarse))
     }
 
     /// The nodes of load step `step` among those at `angles`, ascending, of a half circle or all around.
@@ -103,27 +173,26 @@ fn spacing(places: &[Place], angle: f64, widest: f64) -> f64 {
         .fold(widest, f64::min)
 }
 
-/// Angles from 0 to π of a `half` model, or all around, at the distances `spacing`.
-fn angles(half: bool, spacing: impl Fn(f64) -> f64) -> Vec<f64> {
-    let end = if half { PI } else { TAU };
+/// Angles or places all along `domain` at the distances `spacing`.
+fn angles(domain: Domain, spacing: impl Fn(f64) -> f64) -> Vec<f64> {
+    let [start, end] = domain.ends();
     // The integral, walked in steps of a part of the spacing itself.
-    let mut walk = vec![[0.0, 0.0]];
-    let (mut angle, mut count) = (0.0, 0.0);
+    let mut walk = vec![[start, 0.0]];
+    let (mut angle, mut count) = (start, 0.0);
     while angle < end {
         let width = spacing(angle);
         let step = (width / POINTS).min(end - angle);
         let middle = spacing(angle + 0.5 * step);
         angle += step;
         count += step / middle;
-        if end - angle < 1e-12 {
+        if end - angle < 1e-12 * (end - start) {
             angle = end;
         }
         walk.push([angle, count]);
     }
-    let parts = if half {
-        count.ceil()
-    } else {
-        (0.5 * count).ceil() * 2.0
+    let parts = match domain {
+        Domain::Circle => (0.5 * count).ceil() * 2.0,
+        Domain::HalfCircle | Domain::Line(_) => count.ceil(),
     };
     let mut at = 0;
     let own = (0..=parts as usize).map(|k| {
@@ -135,12 +204,10 @@ fn angles(half: bool, spacing: impl Fn(f64) -> f64) -> Vec<f64> {
         a + (b - a) * (wanted - from) / (to - from)
     });
     let mut angles: Vec<f64> = own.collect();
-    if half {
-        if let Some(last) = angles.last_mut() {
-            *last = PI;
-        }
-    } else {
+    if domain == Domain::Circle {
         angles.pop();
+    } else if let Some(last) = angles.last_mut() {
+        *last = end;
     }
     angles
 }
@@ -151,15 +218,23 @@ struct Place {
     middle: f64,
     reach: f64,
     spacing: f64,
+    /// Whether angles go around.
+    is_round: bool,
 }
 
 impl Place {
-    fn between([from, to]: [f64; 2], spacing: f64) -> Self {
-        let width = (to - from).rem_euclid(TAU);
+    fn between(domain: Domain, [from, to]: [f64; 2], spacing: f64) -> Self {
+        let is_round = !domain.is_line();
+        let width = if is_round {
+            (to - from).rem_euclid(TAU)
+        } else {
+            to - from
+        };
         Self {
             middle: from + 0.5 * width,
             reach: 0.5 * width,
             spacing,
+            is_round,
         }
     }
 
@@ -171,8 +246,13 @@ impl Place {
     }
 
     fn distance(&self, angle: f64) -> f64 {
-        let away = (angle - self.middle).rem_euclid(TAU);
-        (away.min(TAU - away) - self.reach).max(0.0)
+        let away = if self.is_round {
+            let away = (angle - self.middle).rem_euclid(TAU);
+            away.min(TAU - away)
+        } else {
+            (angle - self.middle).abs()
+        };
+        (away - self.reach).max(0.0)
     }
 }
 
@@ -181,41 +261,72 @@ struct StepPlaces {
     /// Angles between which the status changes.
     changes: Vec<[f64; 2]>,
     contacts: Vec<Place>,
+    /// Length of an angle of 1: along a straight edge the half extent of contact.
+    scale: f64,
 }
 
 impl StepPlaces {
     /// Those of `level`, where an extended contact wants the spacing `coarse`.
-    fn of(level: &Numbers, step: usize, coarse: f64) -> Self {
-        let (mut changes, mut contacts) = (Vec::new(), Vec::new());
+    fn of(level: &Numbers, domain: Domain, step: usize, coarse: f64) -> Self {
+        let (mut changes, mut contacts, mut scale) = (Vec::new(), Vec::new(), 1.0_f64);
         let edges = level.own[step].iter().zip(&level.steps[step]);
         for (geometry, results) in edges.filter(|(geometry, _)| geometry.contact) {
             let at = |k: usize| geometry.parameter[k % geometry.parameter.len()];
             let rows = &results.rows;
             let count = rows.len();
-            let last = if geometry.half { count - 1 } else { count };
+            let last = if domain == Domain::Circle {
+                count
+            } else {
+                count - 1
+            };
             let ends = (0..last).filter(|k| rows[*k].status != rows[(k + 1) % count].status);
             changes.extend(ends.map(|k| [at(k), at(k + 1)]));
             // Contact all around, or in several pieces, has no extent.
             let extent = results.contact_half_extent;
-            let spacing = coarse * extent.map_or(1.0, |extent| (2.0 * extent / WIDE).min(1.0));
             let touching: Vec<bool> = rows.iter().map(|row| row.status.touches()).collect();
+            let spacing = if domain.is_line() {
+                scale = extent
+                    .unwrap_or(0.0)
+                    .max(half_reach(&geometry.parameter, &touching));
+                coarse * 2.0 * scale / WIDE
+            } else {
+                coarse * extent.map_or(1.0, |extent| (2.0 * extent / WIDE).min(1.0))
+            };
             let mut from = 0;
             for run in touching.chunk_by(|one, other| one == other) {
                 let to = from + run.len();
-                if run[0] && run.len() == count && !geometry.half {
+                if run[0] && run.len() == count && domain == Domain::Circle {
                     contacts.push(Place {
                         middle: 0.0,
                         reach: PI,
                         spacing,
+                        is_round: true,
                     });
                 } else if run[0] {
-                    contacts.push(Place::between([at(from), at(to.min(last))], spacing));
+                    contacts.push(Place::between(
+                        domain,
+                        [at(from), at(to.min(last))],
+                        spacing,
+                    ));
                 }
                 from = to;
             }
         }
-        Self { changes, contacts }
+        Self {
+            changes,
+            contacts,
+            scale,
+        }
     }
+}
+
+/// Half of the distance between the nodes that stand next to the first and to the last touching one, which contact cannot reach beyond.
+fn half_reach(places: &[f64], touching: &[bool]) -> f64 {
+    let first = touching.iter().position(|touches| *touches);
+    let (Some(first), Some(last)) = (first, touching.iter().rposition(|touches| *touches)) else {
+        return 0.0;
+    };
+    0.5 * (places[(last + 1).min(places.len() - 1)] - places[first.saturating_sub(1)])
 }
 
 #[cfg(test)]
@@ -225,10 +336,14 @@ mod tests {
     const DEGREE: f64 = PI / 180.0;
 
     /// Ends of contact at 40° in the first step and at 80° in the second, known to a tenth of a degree.
-    fn grading() -> Grading {
-        let end = |at: f64| Place::between([at * DEGREE, (at + 0.1) * DEGREE], 0.1 * DEGREE);
-        let contact = |to: f64| Place::between([0.0, to * DEGREE], 0.75 * DEGREE);
+    fn grading(domain: Domain) -> Grading {
+        let between = |ends: [f64; 2], spacing| {
+            Place::between(domain, ends.map(|at| at * DEGREE), spacing * DEGREE)
+        };
+        let end = |at: f64| between([at, at + 0.1], 0.1);
+        let contact = |to: f64| between([0.0, to], 0.75);
         Grading {
+            domain,
             widest: 6.0 * DEGREE,
             coarse: 0.75 * DEGREE,
             steps: vec![
@@ -240,9 +355,10 @@ mod tests {
 
     #[test]
     fn steps_have_the_spacing_that_they_want() {
-        let grading = grading();
-        for half in [true, false] {
-            let angles = grading.angles(half);
+        for domain in [Domain::HalfCircle, Domain::Circle] {
+            let half = domain == Domain::HalfCircle;
+            let grading = grading(domain);
+            let angles = grading.angles();
             for (step, places) in grading.steps.iter().enumerate() {
                 let chosen = grading.chosen(step, &angles, half);
                 assert!(5 * chosen.len() < 4 * angles.len());
@@ -261,8 +377,8 @@ mod tests {
 
     #[test]
     fn places_keep_their_spacing() {
-        let grading = grading();
-        let angles = grading.angles(true);
+        let grading = grading(Domain::HalfCircle);
+        let angles = grading.angles();
         for (step, at) in [(0, 40.05), (1, 80.05)] {
             let chosen = grading.chosen(step, &angles, true);
             let near = chosen.windows(2).filter(|pair| {

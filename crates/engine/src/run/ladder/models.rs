@@ -10,7 +10,7 @@ use stickslip_scene::Scene;
 use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
 
 use super::division::Spaced;
-use super::grading::Grading;
+use super::grading::{Domain, Grading};
 use super::limits::Missing;
 use super::numbers::Numbers;
 use super::thinning;
@@ -54,7 +54,7 @@ pub(super) struct Level {
     division: String,
 }
 
-/// Graded contact nodes.
+/// Graded contact nodes, by angles or by places along a line contact.
 #[derive(Clone, PartialEq)]
 struct Graded {
     grading: Grading,
@@ -62,9 +62,9 @@ struct Graded {
 }
 
 impl Graded {
-    fn new(grading: Grading, half: bool) -> Self {
+    fn new(grading: Grading) -> Self {
         Self {
-            angles: grading.angles(half),
+            angles: grading.angles(),
             grading,
         }
     }
@@ -100,6 +100,8 @@ pub(super) struct Models<'a> {
     scene: &'a Scene,
     solver: &'a dyn InterfaceSolver,
     division: Division,
+    /// Whether bodies are half-planes, whose contact nodes stand along a line.
+    pub(super) of_lines: bool,
     /// How the contact nodes of rungs by series are graded, by rung.
     graded: BTreeMap<usize, Graded>,
     /// How bodies sit in their holes in the models that follow.
@@ -113,22 +115,30 @@ pub(super) struct Models<'a> {
 impl<'a> Models<'a> {
     pub(super) fn new(scene: &'a Scene, solver: &'a dyn InterfaceSolver) -> Result<Self, RunError> {
         let is_pinned = scene.is_divided_anywhere() || scene.analysis.contact_nodes.is_some();
-        let is_series = |model: &Model| model.bodies.iter().any(|body| body.series.is_some());
+        let model = Model::build(scene)?;
+        let mut series = model.bodies.iter().filter_map(|body| body.series.as_ref());
+        let of_lines = series.clone().any(|body| body.line_nodes().is_some());
         let division = if is_pinned {
             Division::Pinned
-        } else if is_series(&Model::build(scene)?) {
+        } else if series.next().is_some() {
             Division::Series
         } else {
             Division::Elements
+        };
+        let kinematics = match scene.kinematics() {
+            // Half-planes have no other.
+            KinematicsChoice::Auto if of_lines => KinematicsChoice::Small,
+            asked => asked,
         };
         Ok(Self {
             scene,
             solver,
             division,
+            of_lines,
             graded: BTreeMap::new(),
             seats: Vec::new(),
             made: None,
-            kinematics: scene.kinematics(),
+            kinematics,
         })
     }
 
@@ -166,6 +176,7 @@ impl<'a> Models<'a> {
     pub(super) fn spaced(&self) -> Spaced {
         match (self.is_graded(), self.kinematics) {
             (false, _) => Spaced::Equally,
+            (true, _) if self.of_lines => Spaced::GradedLine,
             (true, KinematicsChoice::DeformedGaps) => Spaced::GradedDeformed,
             (true, _) => Spaced::Graded,
         }
@@ -181,13 +192,22 @@ impl<'a> Models<'a> {
                     *seat = None;
                 }
             }
-            let half = level.model.half;
+            let mut edges = level.numbers.geometries.iter();
+            let Some(domain) = edges.find(|edge| edge.contact).map(Domain::of) else {
+                return;
+            };
             let widest = PI / INTERVALS as f64;
-            let graded =
-                |mirrored| Graded::new(Grading::new(&level.numbers, rung, widest, mirrored), half);
+            let graded = |mirrored| {
+                Graded::new(Grading::new(
+                    &level.numbers,
+                    domain,
+                    (rung, widest),
+                    mirrored,
+                ))
+            };
             self.graded.insert(rung, graded(false));
             // The lattice in the middle of a disk's mesh bears many more cells on one side than on the other only so far.
-            if !half && Model::build(&self.scene_of(rung).0).is_err() {
+            if domain == Domain::Circle && Model::build(&self.scene_of(rung).0).is_err() {
                 self.graded.insert(rung, graded(true));
             }
         }
@@ -309,6 +329,15 @@ impl<'a> Models<'a> {
         Ok(self.made.insert(made))
     }
 
+    /// What its series are.
+    fn kind(&self) -> &'static str {
+        if self.of_lines {
+            "half-planes"
+        } else {
+            "series"
+        }
+    }
+
     /// The scene of a rung, and how it is divided.
     fn scene_of(&self, rung: usize) -> (Scene, String) {
         let mut scene = self.scene.clone();
@@ -319,9 +348,13 @@ impl<'a> Models<'a> {
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         match self.division {
             Division::Series => match graded {
-                Some(graded) => {
-                    scene.mesh.division = MeshDivision::AngleList(graded.angles.clone());
+                Some(Graded { angles, .. }) if self.of_lines => {
+                    scene.mesh.division = MeshDivision::Places(angles.clone());
                 }
+                Some(Graded { angles, .. }) => {
+                    scene.mesh.division = MeshDivision::AngleList(angles.clone());
+                }
+                None if self.of_lines => {}
                 None => scene.analysis.contact_nodes = Some((INTERVALS << rung) + 1),
             },
             Division::Elements => {
@@ -337,7 +370,13 @@ impl<'a> Models<'a> {
             }
         }
         let mut division = match (graded, scene.analysis.contact_nodes) {
-            (Some(graded), _) => format!("series, {} graded nodes", graded.angles.len()),
+            (Some(graded), _) => {
+                let (kind, count) = (self.kind(), graded.angles.len());
+                format!("{kind}, {count} graded nodes")
+            }
+            (None, None) if self.division == Division::Series => {
+                format!("{}, {}", self.kind(), scene.mesh.division)
+            }
             (None, Some(count)) => format!("series, {count} nodes on half a circle"),
             (None, None) => format!(
                 "{} cells, {}",

@@ -12,7 +12,7 @@ use crate::document::Part;
 use crate::experiment::format::{ExperimentFormat, HoleFormat, SpecimenFormat};
 use crate::experiment::{Hole, Specimen, SpecimenScene};
 use crate::placement::centre as centre_of;
-use crate::schema::{BodyModel, Substance};
+use crate::schema::Substance;
 use crate::shape::Role;
 use crate::{Format, Scene};
 
@@ -122,13 +122,13 @@ fn body_of(
 /// Measured displacements are compared with those of finite elements.
 fn has_mesh(refuse: Refuse<'_>, scene: &Scene) -> Result<(), SceneError> {
     let mut bodies = scene.bodies.values();
-    let by_series = bodies.any(|body| body.model == BodyModel::Series);
+    let by_series = bodies.any(|body| body.model.is_closed_form());
     if scene.is_divided_anywhere() && !by_series {
         return Ok(());
     }
     let message =
         "the scene of a specimen needs a mesh, on which measured displacements are compared";
-    let remedy = "add [mesh] to the scene, or specimen.overrides = [\"mesh.spacing=2 deg\"], without model = \"series\"";
+    let remedy = "add [mesh] to the scene, or specimen.overrides = [\"mesh.spacing=2 deg\"], without model = \"series\" or \"half-plane\"";
     Err(refuse.conflict("specimen.scene", message, remedy))
 }
 
