@@ -26,7 +26,9 @@ use super::format::{EdgeFormat, SceneFormat};
 use super::open::stem;
 use super::overrides::mistyped;
 use super::scene::Scene;
-use super::schema::{Analysis, Body, Contact, Failure, Load, Material, Platen, SetRef, Support};
+use super::schema::{
+    Analysis, Body, Contact, Failure, KinematicsChoice, Load, Material, Platen, SetRef, Support,
+};
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
 
 /// Most letters of a name, which is a part of file names.
@@ -51,6 +53,11 @@ pub(super) fn build(
         bodies: BTreeMap::new(),
     };
     builder.declared();
+    if !leaves_increments(&format) {
+        let analysis = &mut format.analysis;
+        analysis.substeps = Some(analysis.substeps());
+        analysis.ramp = Some(analysis.ramp());
+    }
     let analysis = builder.analysis(&format);
     let plies = builder.plies(&format);
     let materials = builder.materials(&format, &plies, analysis.plane);
@@ -121,6 +128,16 @@ pub(super) fn build(
         resolved: written::resolved(&document, &format)?,
         document,
     })
+}
+
+/// Whether increments of load steps that are not given are left to the program, as [`Scene::seeks_accuracy`] says.
+fn leaves_increments(format: &SceneFormat) -> bool {
+    let analysis = &format.analysis;
+    let mut own = format.bodies.values().map(|body| &body.mesh);
+    let is_divided = format.mesh.is_some() || own.any(Option::is_some);
+    analysis.accuracy.is_some()
+        || !is_divided
+        || analysis.kinematics == Some(KinematicsChoice::Auto)
 }
 
 /// What a scene's materials are, by their names.

@@ -111,11 +111,6 @@ impl Scene {
         self.analysis.kinematics.unwrap_or(default)
     }
 
-    /// Whether the file or an override gives `key`, in full: "analysis.substeps".
-    pub fn is_given(&self, key: &str) -> bool {
-        self.document.get(key).is_some()
-    }
-
     /// Number of load steps, at least 1.
     pub fn steps(&self) -> usize {
         self.loads.first().map_or(1, |load| load.kind.steps().len())

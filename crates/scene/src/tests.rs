@@ -101,6 +101,25 @@ fn a_scene_arrives_in_base_units() {
     assert_eq!(scene.contacts[0].law.name(), "coulomb");
 }
 
+/// Increments that are left to the program are not those of a scene that gives them.
+#[test]
+fn increments_that_are_left_to_the_program_stay_so_in_the_resolved_scene() {
+    let free = SCENE.replace("[mesh]\nspacing = \"2 deg\"\n", "");
+    let (meshed, free) = (read(SCENE).unwrap(), read(&free).unwrap());
+    assert_eq!(meshed.analysis.substeps, Some(1));
+    assert_eq!(free.analysis.substeps, None);
+    assert!(!free.resolved().contains("substeps") && !free.resolved().contains("ramp"));
+    let again = read(free.resolved()).unwrap();
+    assert_eq!(
+        (again.analysis, again.hash),
+        (free.analysis, free.hash.clone())
+    );
+    let given = free
+        .resolved()
+        .replace("[analysis]\n", "[analysis]\nsubsteps = 1\n");
+    assert_ne!(read(&given).unwrap().hash, free.hash);
+}
+
 #[test]
 fn the_resolved_scene_reads_back_to_itself() {
     let scene = read(SCENE).unwrap();

@@ -56,7 +56,7 @@ impl LoadTable {
     pub(super) fn of_plan(plan: &Plan<'_>, units: DisplayUnits) -> Self {
         Self {
             units,
-            ramp: plan.analysis.ramp,
+            ramp: plan.analysis.ramp(),
             loads: plan.loads.iter().map(TableLoad::of).collect(),
         }
     }

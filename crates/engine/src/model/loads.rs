@@ -23,11 +23,11 @@ pub(super) fn history(plan: &Plan<'_>) -> Result<LoadHistory, ModelError> {
     let count = histories().map(<[f64]>::len).max().unwrap_or(1);
     let at = |step: usize| histories().map(move |own| own.get(step).copied().unwrap_or(0.0));
     let steps = (0..count).map(|step| at(step).chain(std::iter::once(1.0)).collect());
-    let ramp = match plan.analysis.ramp {
+    let ramp = match plan.analysis.ramp() {
         schema::Ramp::Linear => Ramp::Linear,
         schema::Ramp::Quadratic => Ramp::Quadratic,
     };
-    let substeps = plan.analysis.substeps;
+    let substeps = plan.analysis.substeps();
     Ok(LoadHistory::new(steps.collect(), substeps, ramp)?)
 }
 

@@ -92,6 +92,15 @@ pub enum Finding {
         /// What ordinary rounding does not reach.
         usual: f64,
     },
+    /// The accuracy that is asked for is not reached.
+    AccuracyMissed {
+        /// The number whose error is farthest beyond it.
+        number: &'static str,
+        /// Its error, a part of the number.
+        error: f64,
+        /// Why no finer model was tried: `"pinned"`, `"budget"` or `"finest"`.
+        end: &'static str,
+    },
     /// Contact parts and bears elsewhere within one increment.
     ContactParts {
         /// Load steps with such increments.

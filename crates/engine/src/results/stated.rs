@@ -253,3 +253,15 @@ pub enum LadderEnd {
     /// The finest model that is tried.
     Finest,
 }
+
+impl LadderEnd {
+    /// Its name in `summary.json`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Reached => "reached",
+            Self::Pinned => "pinned",
+            Self::Budget => "budget",
+            Self::Finest => "finest",
+        }
+    }
+}

@@ -26,7 +26,7 @@ use self::grading::Grading;
 use self::models::{Division, Level, Models};
 use self::numbers::{Numbers, Table, difference, sum};
 use super::{Progress, RunError, results, results_without_audit};
-use crate::results::{BodyFailure, EdgeResults, Ladder, LadderEnd, Results, Rung, Stated};
+use crate::results::{BodyFailure, EdgeResults, Finding, Ladder, LadderEnd, Results, Rung, Stated};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -73,7 +73,7 @@ pub(super) fn climb(
         Err(why) if model.is_chosen_deformed => {
             model = Geometry::unknown(&why.to_string());
             climb.models.kinematics = KinematicsChoice::Small;
-            let substeps = vec![scene.analysis.substeps; scene.steps()];
+            let substeps = vec![scene.analysis.substeps(); scene.steps()];
             let base = climb.models.level(1, &substeps, progress)?;
             climb.increments(base, progress)?
         }
@@ -167,7 +167,7 @@ impl Climb<'_> {
         &mut self,
         progress: &mut dyn FnMut(Progress),
     ) -> Result<(Level, Geometry), RunError> {
-        let substeps = &vec![self.scene.analysis.substeps; self.scene.steps()];
+        let substeps = &vec![self.scene.analysis.substeps(); self.scene.steps()];
         let is_auto = self.models.kinematics == KinematicsChoice::Auto;
         if is_auto {
             self.models.kinematics = KinematicsChoice::Small;
@@ -233,7 +233,7 @@ impl Climb<'_> {
         if !base.rubs() {
             return Ok((base, Left::default()));
         }
-        let pinned = self.scene.is_given("analysis.substeps");
+        let pinned = self.scene.analysis.substeps.is_some();
         if !pinned {
             // One and two increments agree wherever contact grows in proportion to the load.
             base = self
@@ -268,7 +268,7 @@ impl Climb<'_> {
                 let worst = worst_of_step(&finer.numbers, &numbers, self.bounds(), step);
                 let is_large = worst.is_some_and(|worst| worst.part > PATH_SHARE);
                 let is_large = is_large && self.asked.is_some();
-                let is_coarse = substeps[step] < LEAST * self.scene.analysis.substeps;
+                let is_coarse = substeps[step] < LEAST * self.scene.analysis.substeps();
                 *half = (is_large || is_coarse) && substeps[step] < INCREMENTS;
             }
             let is_fine = !halved.contains(&true);
@@ -351,6 +351,7 @@ impl Climb<'_> {
             .findings
             .retain(|finding| !finding.is_of_pairs_apart());
         found.findings.extend(unlimited);
+        found.findings.extend(self.missed(end));
         if last.model.request.failure.is_some() {
             let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));
             let before = self.failure_before(levels);
@@ -378,6 +379,17 @@ impl Climb<'_> {
             end,
         });
         Ok(found)
+    }
+
+    /// That the accuracy asked for is not reached, where it is not.
+    fn missed(&self, end: LadderEnd) -> Option<Finding> {
+        let (error, number) = self.rungs.iter().rev().find_map(|rung| rung.error)?;
+        let is_missed = self.asked.is_some() && end != LadderEnd::Reached;
+        is_missed.then(|| Finding::AccuracyMissed {
+            number: number.describe(),
+            error,
+            end: end.name(),
+        })
     }
 
     /// What the last two of `levels` say of the failure of bodies, the finer first; of joints that are followed to their end nothing.

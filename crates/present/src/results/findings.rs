@@ -57,6 +57,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              than their contact, and thermal strains far above those of the load cause it.",
             numbers(steps)
         ),
+        Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, end),
         Finding::ContactParts { steps } => format!(
             "In an increment of load step {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
              the direction of that way. Give a step without load in between (steps = [\"1 kN\", \"0 N\", \"-1 kN\"]), from which only the way under \
@@ -83,6 +84,20 @@ pub(super) fn sentences(results: &Results) -> Vec<String> {
     findings
         .map(|finding| sentence(finding, results.units))
         .collect()
+}
+
+fn accuracy_missed(number: &str, error: f64, end: &str) -> String {
+    let why = match end {
+        "budget" => "the budget is spent: raise analysis.budget",
+        "pinned" => "the scene pins its model: leave out the mesh, or divide it more finely",
+        _ => {
+            "no finer model is tried: ask for less, or for the numbers that matter (analysis.accuracy = { peak_pressure = … })"
+        }
+    };
+    format!(
+        "The accuracy asked for is not reached: the error of the {number} is {:.2} %, and {why}. All errors are stated.",
+        100.0 * error
+    )
 }
 
 fn further_solvers(found: &FurtherSolvers) -> String {

@@ -20,8 +20,7 @@ use keys::{
 };
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{
-    BearingSource, EdgeKind, EdgeResults, Ladder, LadderEnd, LoadValue, Results, Rung, Stated,
-    StepNotes,
+    BearingSource, EdgeKind, EdgeResults, Ladder, LoadValue, Results, Rung, Stated, StepNotes,
 };
 use stickslip_scene::schema::{Accuracy, DisplayUnits};
 use stickslip_text::tidy;
@@ -84,12 +83,7 @@ fn sought(ladder: &Ladder) -> Sought {
     };
     Sought {
         asked: ladder.asked.map(asked),
-        end: match ladder.end {
-            LadderEnd::Reached => "reached",
-            LadderEnd::Pinned => "pinned",
-            LadderEnd::Budget => "budget",
-            LadderEnd::Finest => "finest",
-        },
+        end: ladder.end.name(),
         rungs: ladder.rungs.iter().map(tried).collect(),
     }
 }

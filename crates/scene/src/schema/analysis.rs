@@ -23,10 +23,12 @@ pub struct Analysis {
     // Left out where it is false, so that it is no part of other scenes.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub experimental: bool,
-    /// Equal sub-steps from one load step to the next, at least 1.
-    pub substeps: usize,
-    /// How the load grows within the first step.
-    pub ramp: Ramp,
+    /// Equal sub-steps from one load step to the next, at least 1; `None` where they are left to the program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub substeps: Option<usize>,
+    /// How the load grows within the first step; `None` where it is left to the program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ramp: Option<Ramp>,
     /// Largest errors that are asked for; [`Accuracy::DEFAULT`] where no mesh is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
@@ -46,12 +48,24 @@ impl Default for Analysis {
             kinematics: None,
             solver: SolverChoice::Auto,
             experimental: false,
-            substeps: 1,
-            ramp: Ramp::Linear,
+            substeps: None,
+            ramp: None,
             accuracy: None,
             budget: None,
             contact_nodes: None,
         }
+    }
+}
+
+impl Analysis {
+    /// Sub-steps of a load step, where they are left to the program those that it begins with.
+    pub fn substeps(&self) -> usize {
+        self.substeps.unwrap_or(1)
+    }
+
+    /// How the load grows within the first step.
+    pub fn ramp(&self) -> Ramp {
+        self.ramp.unwrap_or(Ramp::Linear)
     }
 }
 

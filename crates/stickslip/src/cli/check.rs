@@ -12,7 +12,7 @@ use stickslip_engine::model::{Model, ModelBodyKind};
 use stickslip_present::results::{findings_json, sentence};
 use stickslip_report::axis::ends;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{Body, Division, LoadKind, MeshSettings, Substance};
+use stickslip_scene::schema::{Accuracy, Body, Division, LoadKind, MeshSettings, Substance};
 use stickslip_scene::units::{Dimension, Unit};
 use stickslip_text::counted;
 
@@ -70,7 +70,18 @@ fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
         lines.push(("body", format!("{name}: {}", body_line(scene, body))));
     }
     lines.extend(laminates(scene));
-    lines.push(("mesh", mesh_line(scene, &scene.mesh)));
+    let is_pinned = scene.is_divided_anywhere() || scene.analysis.contact_nodes.is_some();
+    let asked = scene.analysis.accuracy;
+    let asked = asked.or((!is_pinned).then_some(Accuracy::DEFAULT));
+    lines.extend(asked.map(|asked| ("accuracy", accuracy_line(asked))));
+    if scene.is_divided_anywhere() {
+        lines.push(("mesh", mesh_line(scene, &scene.mesh)));
+    } else {
+        lines.push((
+            "mesh",
+            "chosen for the accuracy, of the coarsest model:".to_owned(),
+        ));
+    }
     for body in &model.bodies {
         if let ModelBodyKind::Elastic(elastic) = &body.kind {
             let own = scene
@@ -112,15 +123,14 @@ fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
             format!("{}: {}", load.name, load_line(scene, &load.kind)),
         ));
     }
-    let (steps, substeps) = (scene.steps(), scene.analysis.substeps);
-    lines.push((
-        "history",
-        format!(
-            "{}, each in {}",
-            counted(steps, "load step"),
-            counted(substeps, "sub-step")
-        ),
-    ));
+    let steps = counted(scene.steps(), "load step");
+    let divided = match scene.analysis.substeps {
+        None if scene.seeks_accuracy() => {
+            "each in as many increments as its accuracy needs".to_owned()
+        }
+        _ => format!("each in {}", counted(scene.analysis.substeps(), "sub-step")),
+    };
+    lines.push(("history", format!("{steps}, {divided}")));
     lines.push(("hash", scene.hash.clone()));
     lines
 }
@@ -136,6 +146,21 @@ fn body_line(scene: &Scene, body: &Body) -> String {
             format!("{shape}, {material}, {} thick", show(*thickness))
         }
         Substance::Rigid => format!("{shape}, rigid"),
+    }
+}
+
+/// What is asked for.
+fn accuracy_line(asked: Accuracy) -> String {
+    match asked {
+        Accuracy::Overall(error) => format!(
+            "{error} of peak pressure, peak tangential stress, extent of contact and friction force"
+        ),
+        Accuracy::Named(bounds) => {
+            let each = bounds
+                .entries()
+                .map(|(name, error)| format!("{error} of {name}"));
+            each.collect::<Vec<_>>().join(", ")
+        }
     }
 }
 

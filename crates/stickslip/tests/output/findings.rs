@@ -75,6 +75,11 @@ fn of_the_run() -> Vec<Finding> {
             residual: 2.8e-7,
             usual: 1e-8,
         },
+        Finding::AccuracyMissed {
+            number: "peak tangential stress",
+            error: 0.0662,
+            end: "finest",
+        },
         Finding::ContactParts { steps },
         Finding::FreeBody(FreeBody {
             body: "pin".into(),

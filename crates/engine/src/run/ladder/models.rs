@@ -342,8 +342,8 @@ impl<'a> Models<'a> {
     fn scene_of(&self, rung: usize) -> (Scene, String) {
         let mut scene = self.scene.clone();
         scene.analysis.kinematics = Some(self.kinematics);
-        if !scene.is_given("analysis.ramp") && !scene.is_given("analysis.substeps") {
-            scene.analysis.ramp = Ramp::Quadratic;
+        if scene.analysis.ramp.is_none() && scene.analysis.substeps.is_none() {
+            scene.analysis.ramp = Some(Ramp::Quadratic);
         }
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         match self.division {

@@ -21,7 +21,7 @@ pub(super) fn of(
         findings.push(JointFinding::Unverified { solvers, residual });
     }
     let contact = &model.request.analysis;
-    if contact.substeps != 1 || contact.ramp != Ramp::Linear {
+    if contact.substeps() != 1 || contact.ramp() != Ramp::Linear {
         findings.push(JointFinding::SubstepsIgnored);
     }
     let Some(failure) = &model.request.failure else {
