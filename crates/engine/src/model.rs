@@ -416,6 +416,15 @@ fn kinematics(plan: &Plan<'_>) -> Choice {
             "the scene says so; gaps, normals and closest points follow the displacement, bodies are linear, and tractions are forces per \
              undeformed area; resultants and balances take deformed normals and closest points at their undeformed places",
         )
+    } else if plan.bodies.iter().any(|body| {
+        body.series
+            .as_ref()
+            .is_some_and(|series| series.line_nodes().is_some())
+    }) {
+        (
+            "small displacement",
+            "half-planes touch on the undeformed geometry, as Hertz has it",
+        )
     } else {
         (
             "small displacement",

@@ -27,7 +27,7 @@ use crate::field::check;
 use crate::hole::check_load;
 use crate::line::LineNodes;
 pub use potential::HalfPlaneField;
-use potential::edge_kernel;
+use potential::{Constants, edge_kernel};
 
 /// On which side of the x axis a half-plane lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,15 +149,23 @@ impl HalfPlane {
         for (axis, amount) in free.zip(state.motions) {
             motion[axis] = *amount;
         }
-        Ok(HalfPlaneField::new(
-            self,
-            &self.tractions(state.forces),
+        let constants = Constants {
+            outward: self.outward(),
+            kappa: self.material.kappa,
+            unit: 0.5 / self.material.shear,
+            reference: self.ground.reference,
             motion,
+        };
+        let tractions = self.tractions(state.forces);
+        Ok(HalfPlaneField::new(
+            self.nodes.knots(),
+            &tractions,
+            constants,
         ))
     }
 
     /// Stresses (xx, yy, xy) `[stress]` at the places `places` x `[length]` of the edge under each of `states`, by state and place. They are exact for tractions that are
-    /// linear between nodes, and infinite where such a traction along x jumps to zero at an end.
+    /// linear between nodes; at an end where such a traction along x jumps to zero the stress has no limit, and what is returned has no meaning.
     ///
     /// # Errors
     /// [`SeriesError::State`] for numbers that are too few or too many.

@@ -56,7 +56,7 @@ pub(super) fn body(
     let (Some(contact), None) = (contacts.next(), contacts.next()) else {
         return Err("does not touch along exactly one edge".into());
     };
-    let free = freedom(plan, index)?;
+    let free = freedom(plan, index, half)?;
     let [first, second] = &contact.sides;
     let partner = if first.body == index {
         second.body
@@ -67,7 +67,7 @@ pub(super) fn body(
         plan.free_axes(partner)
     } else {
         let why = |why: String| format!("touches '{}', which {why}", plan.bodies[partner].name);
-        freedom(plan, partner).map_err(why)?
+        freedom(plan, partner, half).map_err(why)?
     };
     let moves = |axis: usize| free[axis] || beside[axis];
     let held = |along: &str| {
@@ -90,7 +90,7 @@ pub(super) fn body(
             Lies::Above
         },
         thickness: own.thickness(),
-        // So long that no force on the edge moves its place backwards.
+        // Not shorter than the edge, so that the compliance is positive definite.
         reference: (high[0] - low[0]).max(high[1] - low[1]),
         free: [free[0] && !half, free[1]],
     };
@@ -124,7 +124,7 @@ fn far_edge(plan: &Plan<'_>, index: usize) -> Option<Edge> {
 }
 
 /// Along which axes the body moves freely. It must not turn.
-fn freedom(plan: &Plan<'_>, index: usize) -> Result<[bool; 2], String> {
+fn freedom(plan: &Plan<'_>, index: usize, half: bool) -> Result<[bool; 2], String> {
     let far = far_edge(plan, index).ok_or("has no edge that faces the contact")?;
     let aside = |name: &str| {
         Err(format!(
@@ -145,7 +145,7 @@ fn freedom(plan: &Plan<'_>, index: usize) -> Result<[bool; 2], String> {
         }
         free = [free[0] && !axes.x, free[1] && !axes.y];
     }
-    let mut turns = free[1];
+    let mut turns = free[1] && !half;
     for platen in plan.platens_of(index) {
         if platen.on.set != far.name {
             return aside(&platen.on.set);
@@ -170,6 +170,12 @@ fn loads(plan: &Plan<'_>, index: usize) -> Result<Vec<[f64; 2]>, String> {
             return Ok([0.0; 2]);
         }
         let name = &load.of.name;
+        if !matches!(
+            load.of.kind,
+            LoadKind::Force { .. } | LoadKind::Pressure { .. }
+        ) {
+            return Err(format!("has the load '{name}', neither force nor pressure"));
+        }
         if load.edge != Some(far) {
             return Err(format!(
                 "has the load '{name}', and forces on a half-plane act far away, on '{}'",

@@ -6,13 +6,15 @@ use std::sync::Arc;
 use stickslip_fem_core::material::{Isotropic, Material, PlaneState, PlaneStiffness};
 use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{BodyModel, Division, Grading, Hold, LoadKind, MeshSettings};
+use stickslip_scene::schema::{
+    BodyModel, Division, GapKind, Grading, Hold, LoadKind, MeshSettings, ProjectionChoice, SetRef,
+};
 use stickslip_scene::shape::{Curve, Role};
 use stickslip_series::{Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, Nodes, Outline, Plate};
 
 use super::half_plane;
 use super::meshes::on_circles;
-use super::plan::{BodyPlan, Plan};
+use super::plan::{BodyPlan, Placed, Plan};
 use super::{Model, ModelError};
 use crate::results::Choice;
 use crate::series::{SeriesBody, SeriesNodes, is_isotropic};
@@ -36,8 +38,10 @@ pub(super) fn choose(
     let asked: Vec<BodyModel> = scene.bodies.values().map(|body| body.model).collect();
     let explicit = asked.iter().any(|model| model.is_closed_form());
     let auto = !explicit && !plan.is_divided && !plan.contacts.is_empty();
-    if explicit && !plan.is_divided {
-        one_kind(plan, &asked)?;
+    let mut asked = asked;
+    if asked.contains(&BodyModel::HalfPlane) {
+        partners_too(plan, &mut asked)?;
+        only_half_planes(plan, &asked)?;
     }
     let mut made = Vec::new();
     for (index, asked) in asked.iter().enumerate() {
@@ -110,8 +114,9 @@ pub(super) fn choose(
         .iter()
         .map(|(index, ..)| plan.bodies[*index].name)
         .collect();
+    let of_lines = made.iter().all(|(.., body)| body.line_nodes().is_some());
     choices.push(Choice {
-        what: "bodies by series".into(),
+        what: if of_lines { "half-planes" } else { "bodies by series" }.into(),
         value: names.join(", "),
         reason: if explicit {
             "the scene says so".into()
@@ -130,24 +135,21 @@ pub(super) fn choose(
     Ok(())
 }
 
-/// Refuses half-planes without a mesh beside a body that needs one, and nodes of circles for them.
-fn one_kind(plan: &Plan<'_>, asked: &[BodyModel]) -> Result<(), ModelError> {
-    let is_half_plane = |index: &usize| asked[*index] == BodyModel::HalfPlane;
-    if plan.analysis.contact_nodes.is_some() && (0..asked.len()).any(|index| is_half_plane(&index))
-    {
-        return Err(ModelError::Unsupported {
-            key: "analysis.contact_nodes".into(),
-            what: "contact_nodes are those of half circles, and half-planes touch along a line; give mesh.spacing instead, or leave it out".into(),
-        });
-    }
+/// Makes the elastic partners of half-planes half-planes as well, whose nodes have the same means, and refuses others.
+fn partners_too(plan: &Plan<'_>, asked: &mut [BodyModel]) -> Result<(), ModelError> {
     for [first, second] in plan.pairs() {
         for (own, partner) in [(first, second), (second, first)] {
-            if is_half_plane(&own) && asked[partner] == BodyModel::Elements {
+            if asked[own] != BodyModel::HalfPlane || plan.is_rigid(partner) {
+                continue;
+            }
+            if asked[partner] == BodyModel::Auto {
+                asked[partner] = BodyModel::HalfPlane;
+            } else if asked[partner] == BodyModel::Elements {
                 return Err(ModelError::NotSeries {
                     body: plan.bodies[own].name.to_owned(),
                     model: "as a half-plane",
                     why: format!(
-                        "touches '{}', which is to be of elements, without a mesh",
+                        "touches '{}', which is to be of elements, and a half-plane touches half-planes and rigid bodies",
                         plan.bodies[partner].name
                     ),
                 });
@@ -155,6 +157,57 @@ fn one_kind(plan: &Plan<'_>, asked: &[BodyModel]) -> Result<(), ModelError> {
         }
     }
     Ok(())
+}
+
+/// Refuses around half-planes what they do not have: nodes of circles, other contact edges without a mesh, ties other than by nodes, facets, and further edges.
+fn only_half_planes(plan: &Plan<'_>, asked: &[BodyModel]) -> Result<(), ModelError> {
+    let refuse = |key: String, what: String| Err(ModelError::Unsupported { key, what });
+    let is_asked = |index: usize| asked[index] == BodyModel::HalfPlane;
+    if plan.analysis.contact_nodes.is_some() {
+        let what = "contact_nodes are those of half circles, and half-planes touch along a line; give mesh.spacing instead, or leave it out";
+        return refuse("analysis.contact_nodes".into(), what.into());
+    }
+    let mut lines = 0;
+    for (number, contact) in plan.contacts.iter().enumerate() {
+        let sides = [&contact.sides[0], &contact.sides[1]].map(|side| side.body);
+        if !sides.into_iter().any(is_asked) {
+            continue;
+        }
+        lines += 1;
+        let name = &contact.of.name;
+        if !matches!(
+            contact.of.projection,
+            ProjectionChoice::Auto | ProjectionChoice::Nodes
+        ) {
+            let what = format!(
+                "contact '{name}' is between half-planes, which are tied by pairs of nodes; leave projection out"
+            );
+            return refuse(format!("contacts.{number}.projection"), what);
+        }
+        if contact.of.gap == GapKind::Faceted {
+            let what = format!(
+                "contact '{name}' is between half-planes, which have no facets; say gap = \"exact\" or \"linearised\""
+            );
+            return refuse(format!("contacts.{number}.gap"), what);
+        }
+    }
+    if lines > 1 && !plan.is_divided {
+        let what = "several line contacts of half-planes need a mesh, because the program divides one of them by itself; give mesh.spacing and mesh.fine_to";
+        return refuse("mesh".into(), what.into());
+    }
+    let far = |edge: &Placed<'_, SetRef>| {
+        is_asked(edge.body) && edge.edge.is_none_or(|edge| edge.role == Role::Free)
+    };
+    match plan.edges.iter().position(far) {
+        Some(number) => {
+            let edge = plan.edges[number].of;
+            let what = format!(
+                "{edge} is an edge that a half-plane does not have, whose stresses no outline bounds; leave it out, or say model = \"elements\""
+            );
+            refuse(format!("edges.{number}.on"), what)
+        }
+        None => Ok(()),
+    }
 }
 
 /// No body is a series, because of `why`.

@@ -44,8 +44,12 @@ pub(super) fn of_outlines(
             let touching = rows.filter(|(row, _)| row.status.touches());
             touching.fold(0.0_f64, |most, (_, place)| most.max(place.abs()))
         };
-        let farthest = steps.iter().map(reach).zip(1..);
-        let (reach, step) = farthest.max_by(|one, other| one.0.total_cmp(&other.0))?;
+        let farthest = steps
+            .iter()
+            .map(reach)
+            .zip(1..)
+            .filter(|(reach, _)| *reach > 0.0);
+        let (reach, step) = farthest.reduce(|most, own| if own.0 > most.0 { own } else { most })?;
         let found = ContactFinding::OutlineLeftOut {
             step,
             reach: Quantity::Length(reach),

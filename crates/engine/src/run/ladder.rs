@@ -15,6 +15,7 @@ mod models;
 mod numbers;
 mod path;
 pub(super) mod thinning;
+mod unseen;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
@@ -127,7 +128,10 @@ impl Climb<'_> {
             // Of the division nothing is known.
             return Table::new();
         }
-        let divided = division::errors(&numbers(levels), self.models.spaced());
+        let mut divided = division::errors(&numbers(levels), self.models.spaced());
+        if let Some(last) = levels.last() {
+            unseen::widen(&mut divided, last);
+        }
         sum(&sum(&divided, &path.numbers), &geometry.errors)
     }
 
@@ -345,13 +349,15 @@ impl Climb<'_> {
         let along = along.floored(&last.numbers);
         let along = along.into_steps(&last.numbers.geometries);
         let unlimited = division::findings(&last.numbers, &errors);
+        let worst = worst(&last.numbers, &errors, self.bounds());
+        let missed = self.missed(worst.map(Worst::named), end);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         // Errors hold where nodes are paired far from what they face.
         found
             .findings
             .retain(|finding| !finding.is_of_pairs_apart());
         found.findings.extend(unlimited);
-        found.findings.extend(self.missed(end));
+        found.findings.extend(missed);
         if last.model.request.failure.is_some() {
             let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));
             let before = self.failure_before(levels);
@@ -382,8 +388,8 @@ impl Climb<'_> {
     }
 
     /// That the accuracy asked for is not reached, where it is not.
-    fn missed(&self, end: LadderEnd) -> Option<Finding> {
-        let (error, number) = self.rungs.iter().rev().find_map(|rung| rung.error)?;
+    fn missed(&self, worst: Option<(f64, Stated)>, end: LadderEnd) -> Option<Finding> {
+        let (error, number) = worst?;
         let is_missed = self.asked.is_some() && end != LadderEnd::Reached;
         is_missed.then(|| Finding::AccuracyMissed {
             number: number.describe(),

@@ -88,8 +88,10 @@ pub(super) fn sentences(results: &Results) -> Vec<String> {
 
 fn accuracy_missed(number: &str, error: f64, end: &str) -> String {
     let why = match end {
-        "budget" => "the budget is spent: raise analysis.budget",
-        "pinned" => "the scene pins its model: leave out the mesh, or divide it more finely",
+        "budget" => "the time is spent: raise analysis.budget, beside analysis.accuracy",
+        "pinned" => {
+            "the scene pins its model: leave out its mesh or contact_nodes, or divide it more finely"
+        }
         _ => {
             "no finer model is tried: ask for less, or for the numbers that matter (analysis.accuracy = { peak_pressure = … })"
         }

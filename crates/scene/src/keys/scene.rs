@@ -51,7 +51,7 @@ pub(super) const TABLES: &[Table] = &[
         flag("experimental", "`false`", "true",
             "allows solvers whose answers may be inexact (penalty) or that are limited to few points or to small friction \
             (enumeration, Tresca)"),
-        integer("substeps", "`1`", "4",
+        integer("substeps", "`1`; by the accuracy where one is sought", "4",
             "equal sub-steps of every load step; one that fails is halved by itself").range(counts(1, 100_000)),
         words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`, `"quadratic"` where the program chooses sub-steps"#, r#""quadratic""#,
             "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \

@@ -12,7 +12,6 @@ use std::f64::consts::PI;
 use nalgebra::{Complex, DMatrix};
 use stickslip_fem_core::mesh::Point;
 
-use super::{HalfPlane, Lies};
 use crate::error::SeriesError;
 use crate::gauss::Rules;
 
@@ -23,6 +22,20 @@ const FAR: f64 = 2.5;
 /// Part of the length of the edge up to which a place is on the edge.
 const ON_EDGE: f64 = 1e-12;
 
+/// What a field is made of besides its tractions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Constants {
+    /// 1 below the axis, −1 above it.
+    pub(super) outward: f64,
+    pub(super) kappa: f64,
+    /// 1/2G.
+    pub(super) unit: f64,
+    /// ℓ.
+    pub(super) reference: f64,
+    /// Rigid motion along x and y.
+    pub(super) motion: [f64; 2],
+}
+
 /// Stresses and displacements anywhere in a half-plane.
 #[derive(Clone, Debug)]
 pub struct HalfPlaneField {
@@ -30,13 +43,7 @@ pub struct HalfPlaneField {
     /// q at each of the knots `[stress]`.
     tractions: Vec<C64>,
     rules: Rules,
-    /// 1 below the axis, −1 above it.
-    outward: f64,
-    kappa: f64,
-    /// 1/2G.
-    unit: f64,
-    reference: f64,
-    motion: [f64; 2],
+    of: Constants,
 }
 
 /// Φ, φ and Φ′ at a place.
@@ -48,19 +55,12 @@ struct Potential {
 }
 
 impl HalfPlaneField {
-    pub(super) fn new(body: &HalfPlane, tractions: &[[f64; 2]], motion: [f64; 2]) -> Self {
+    pub(super) fn new(knots: &[f64], tractions: &[[f64; 2]], of: Constants) -> Self {
         Self {
-            knots: body.nodes.knots().to_vec(),
+            knots: knots.to_vec(),
             tractions: tractions.iter().map(|&[x, y]| C64::new(x, y)).collect(),
             rules: Rules::new(),
-            outward: match body.ground.lies {
-                Lies::Below => 1.0,
-                Lies::Above => -1.0,
-            },
-            kappa: body.material.kappa,
-            unit: 0.5 / body.material.shear,
-            reference: body.ground.reference,
-            motion,
+            of,
         }
     }
 
@@ -73,8 +73,8 @@ impl HalfPlaneField {
         if z.im == 0.0 {
             return Ok(self.on_edge(z.re));
         }
-        let own = self.potential(z, self.outward, false);
-        let image = self.potential(z.conj(), -self.outward, false);
+        let own = self.potential(z, self.of.outward, false);
+        let image = self.potential(z.conj(), -self.of.outward, false);
         let normal = own.value - image.value + (z - z.conj()) * own.slope.conj();
         Ok([4.0 * own.value.re - normal.re, normal.re, -normal.im])
     }
@@ -85,25 +85,25 @@ impl HalfPlaneField {
     /// [`SeriesError::OutsideBody`] for a point that the body does not have.
     pub fn displacement(&self, point: Point) -> Result<[f64; 2], SeriesError> {
         let z = self.inside(point)?;
-        let own = self.potential(z, self.outward, true);
-        let image = self.potential(z.conj(), -self.outward, true);
+        let own = self.potential(z, self.of.outward, true);
+        let image = self.potential(z.conj(), -self.of.outward, true);
         let turn = if z.im == 0.0 {
             C64::default()
         } else {
             (z - z.conj()) * own.value.conj()
         };
         // ℓ is that of L: (κ + 1) ln ℓ of the net force.
-        let moved = self.kappa * own.integral + image.integral - turn
-            + self.total() * ((self.kappa + 1.0) * self.reference.ln() / (2.0 * PI));
-        let moved = moved * self.unit;
-        Ok([moved.re + self.motion[0], moved.im + self.motion[1]])
+        let moved = self.of.kappa * own.integral + image.integral - turn
+            + self.total() * ((self.of.kappa + 1.0) * self.of.reference.ln() / (2.0 * PI));
+        let moved = moved * self.of.unit;
+        Ok([moved.re + self.of.motion[0], moved.im + self.of.motion[1]])
     }
 
     /// A point of the body, of the edge without an imaginary part.
     fn inside(&self, point: Point) -> Result<C64, SeriesError> {
         let [x, y] = point;
         let near = ON_EDGE * (self.knots[self.knots.len() - 1] - self.knots[0]);
-        if self.outward * y > near {
+        if self.of.outward * y > near {
             return Err(SeriesError::OutsideBody { point });
         }
         Ok(C64::new(x, if y.abs() <= near { 0.0 } else { y }))
@@ -115,7 +115,7 @@ impl HalfPlaneField {
             .map(|(kernel, q)| kernel * q.re)
             .sum();
         let pairs: Vec<[f64; 2]> = self.tractions.iter().map(|q| [q.re, q.im]).collect();
-        let [shear, normal] = between(&self.knots, &pairs, x).map(|q| self.outward * q);
+        let [shear, normal] = between(&self.knots, &pairs, x).map(|q| self.of.outward * q);
         [normal + 2.0 / PI * along, normal, shear]
     }
 

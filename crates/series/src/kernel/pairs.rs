@@ -14,6 +14,8 @@ pub(crate) trait LogKernel {
     fn log(x: f64) -> f64;
     /// L(x) + ln|x|; `None` where that is zero.
     const REMAINDER: Option<fn(f64) -> f64>;
+    /// Elements that are closer touch.
+    const TOUCHING: f64;
 }
 
 /// L = −ln |2 sin x/2|.
@@ -26,6 +28,7 @@ impl LogKernel for OnCircle {
         log_kernel(x)
     }
     const REMAINDER: Option<fn(f64) -> f64> = Some(remainder);
+    const TOUCHING: f64 = TOUCHING;
 }
 
 impl LogKernel for OnLine {
@@ -33,6 +36,7 @@ impl LogKernel for OnLine {
         -x.abs().ln()
     }
     const REMAINDER: Option<fn(f64) -> f64> = None;
+    const TOUCHING: f64 = f64::MIN_POSITIVE;
 }
 
 /// A distance of elements below this one `[rad]` is rounding, of angles up to two turns.
@@ -163,7 +167,7 @@ pub(crate) fn apart<K: LogKernel>(rules: &Rules, h: f64, k: f64, gap: f64) -> Bl
         let rule = rules.at(gap / longer);
         gauss(rule, h, k, |u, v| K::log(gap + u + v), &mut block);
         block
-    } else if gap < TOUCHING {
+    } else if gap < K::TOUCHING {
         let mut block = touching(rules, h, k);
         if let Some(remainder) = K::REMAINDER {
             gauss(rules.longest(), h, k, |u, v| remainder(u + v), &mut block);

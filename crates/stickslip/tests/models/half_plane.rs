@@ -55,6 +55,35 @@ fn errors_hold_the_closed_forms_of_partial_slip() {
     }
 }
 
+/// Slip beside the ends of contact that no node of coarse models shows.
+#[test]
+fn errors_hold_the_stress_of_a_small_push() {
+    for part in [0.0005, 0.002, 0.01] {
+        let push = steps([0.0, part * FRICTION * 50.0]);
+        let found = solved(FRETTING, &[PRESSED, &push, "analysis.accuracy=\"5 %\""]);
+        let [value, error] = number(&found, 1, Stated::PeakHoop);
+        let exact = 2.0 * FRICTION * PEAK * f64::sqrt(part);
+        assert!(
+            (value - exact).abs() <= error,
+            "{part}: {value} ± {error:e}, exactly {exact}"
+        );
+    }
+}
+
+#[test]
+fn the_push_to_the_other_side_is_the_mirror_image() {
+    let found = solved(FRETTING, &[PRESSED, &steps([0.0, 10.0])]);
+    let mirrored = solved(FRETTING, &[PRESSED, &steps([0.0, -10.0])]);
+    let rows = |results: &Results| results.steps[1].edges[0].rows.clone();
+    let (one, mut other) = (rows(&found), rows(&mirrored));
+    other.reverse();
+    let close = |a: f64, b: f64| (a - b).abs() < 1e-8 * PEAK;
+    for (a, b) in one.iter().zip(&other) {
+        assert!(close(a.pressure, b.pressure) && close(a.shear, -b.shear));
+        assert!(close(a.sigma_tangential, b.sigma_tangential));
+    }
+}
+
 #[test]
 fn a_contact_much_smaller_than_the_outline_is_found() {
     let load = r#"loads.0.force.steps=["5e-5 N", "5e-5 N"]"#;
@@ -183,7 +212,20 @@ fn what_is_no_half_plane_is_refused() {
         ),
         (
             vec!["bodies.flat.model=elements"],
-            "to be of elements, without a mesh",
+            "is to be of elements, and a half-plane touches half-planes",
+        ),
+        (
+            vec!["contacts.0.projection=mortar"],
+            "tied by pairs of nodes; leave projection out",
+        ),
+        (vec!["contacts.0.gap=faceted"], "have no facets"),
+        (
+            vec!["bodies.flat.mesh.spacing=0.02 mm"],
+            "tied by pairs of nodes, but",
+        ),
+        (
+            vec![r#"edges=[{ on = "flat.bottom" }]"#],
+            "is an edge that a half-plane does not have",
         ),
         (vec!["analysis.contact_nodes=61"], "touch along a line"),
         (

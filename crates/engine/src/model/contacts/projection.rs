@@ -160,6 +160,9 @@ impl Tied<'_> {
                 "the meshes of a pair are made with the same divisions; gaps come from the true geometry"
                     .to_owned(),
             ),
+            (ProjectionChoice::Auto, Some(why)) if self.line.is_some() => {
+                return Err(self.refuse(format!("half-planes are tied by pairs of nodes, but {why}; give both the same mesh, or none")));
+            }
             (ProjectionChoice::Auto, Some(why)) => (Some(Multipliers::Dual), why.clone()),
             (ProjectionChoice::Mortar, _) => (Some(Multipliers::Standard), said()),
             (ProjectionChoice::DualMortar, _) => (Some(Multipliers::Dual), said()),

@@ -93,12 +93,11 @@ impl Grading {
                 if spacing >= coarse && since(&before) > 0 {
                     break;
                 }
-                let StepPlaces { changes, scale, .. } = &own[before];
-                places.extend(
-                    changes
-                        .iter()
-                        .map(|&ends| Place::between(domain, ends, scale * spacing)),
-                );
+                let changes = own[before].changes.iter();
+                let between = |(ends, scale): &([f64; 2], f64)| {
+                    Place::between(domain, *ends, scale * spacing)
+                };
+                places.extend(changes.map(between));
                 if before + 1 >= step {
                     places.extend(&own[before].contacts);
                 }
@@ -138,7 +137,16 @@ impl Grading {
     /// Angles of all nodes from 0 to π of a half model, or all around; places along a straight edge.
     pub(super) fn angles(&self) -> Vec<f64> {
         let places: Vec<Place> = self.steps.iter().flatten().copied().collect();
-        angles(self.domain, |angle| spacing(&places, angle, self.coarse))
+        let all = |domain| angles(domain, |angle| spacing(&places, angle, self.coarse));
+        match self.domain {
+            // Loads to the left and to the right have equal nodes.
+            Domain::Line([from, to]) if from < 0.0 => {
+                let right = all(Domain::Line([0.0, to]));
+                let left = right.iter().skip(1).rev().map(|place| -place);
+                left.chain(right.iter().copied()).collect()
+            }
+            domain => all(domain),
+        }
     }
 
     /// The nodes of load step `step` among those at `angles`, ascending, of a half circle or all around.
@@ -258,17 +266,15 @@ impl Place {
 
 /// Where contact changes and where there is contact at the end of a load step.
 struct StepPlaces {
-    /// Angles between which the status changes.
-    changes: Vec<[f64; 2]>,
+    /// Angles between which the status changes, and the length of an angle of 1: along a straight edge the half extent of contact.
+    changes: Vec<([f64; 2], f64)>,
     contacts: Vec<Place>,
-    /// Length of an angle of 1: along a straight edge the half extent of contact.
-    scale: f64,
 }
 
 impl StepPlaces {
     /// Those of `level`, where an extended contact wants the spacing `coarse`.
     fn of(level: &Numbers, domain: Domain, step: usize, coarse: f64) -> Self {
-        let (mut changes, mut contacts, mut scale) = (Vec::new(), Vec::new(), 1.0_f64);
+        let (mut changes, mut contacts) = (Vec::new(), Vec::new());
         let edges = level.own[step].iter().zip(&level.steps[step]);
         for (geometry, results) in edges.filter(|(geometry, _)| geometry.contact) {
             let at = |k: usize| geometry.parameter[k % geometry.parameter.len()];
@@ -279,19 +285,19 @@ impl StepPlaces {
             } else {
                 count - 1
             };
-            let ends = (0..last).filter(|k| rows[*k].status != rows[(k + 1) % count].status);
-            changes.extend(ends.map(|k| [at(k), at(k + 1)]));
             // Contact all around, or in several pieces, has no extent.
             let extent = results.contact_half_extent;
             let touching: Vec<bool> = rows.iter().map(|row| row.status.touches()).collect();
-            let spacing = if domain.is_line() {
-                scale = extent
-                    .unwrap_or(0.0)
-                    .max(half_reach(&geometry.parameter, &touching));
-                coarse * 2.0 * scale / WIDE
+            let (scale, spacing) = if domain.is_line() {
+                let reach = half_reach(&geometry.parameter, &touching);
+                let scale = extent.unwrap_or(0.0).max(reach);
+                (scale, coarse * 2.0 * scale / WIDE)
             } else {
-                coarse * extent.map_or(1.0, |extent| (2.0 * extent / WIDE).min(1.0))
+                let part = extent.map_or(1.0, |extent| (2.0 * extent / WIDE).min(1.0));
+                (1.0, coarse * part)
             };
+            let ends = (0..last).filter(|k| rows[*k].status != rows[(k + 1) % count].status);
+            changes.extend(ends.map(|k| ([at(k), at(k + 1)], scale)));
             let mut from = 0;
             for run in touching.chunk_by(|one, other| one == other) {
                 let to = from + run.len();
@@ -312,11 +318,7 @@ impl StepPlaces {
                 from = to;
             }
         }
-        Self {
-            changes,
-            contacts,
-            scale,
-        }
+        Self { changes, contacts }
     }
 }
 

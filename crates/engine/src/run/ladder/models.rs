@@ -205,7 +205,8 @@ impl<'a> Models<'a> {
                     mirrored,
                 ))
             };
-            self.graded.insert(rung, graded(false));
+            let is_whole_line = matches!(domain, Domain::Line([from, _]) if from < 0.0);
+            self.graded.insert(rung, graded(is_whole_line));
             // The lattice in the middle of a disk's mesh bears many more cells on one side than on the other only so far.
             if domain == Domain::Circle && Model::build(&self.scene_of(rung).0).is_err() {
                 self.graded.insert(rung, graded(true));
@@ -374,7 +375,7 @@ impl<'a> Models<'a> {
                 let (kind, count) = (self.kind(), graded.angles.len());
                 format!("{kind}, {count} graded nodes")
             }
-            (None, None) if self.division == Division::Series => {
+            (None, None) if self.of_lines || self.division == Division::Series => {
                 format!("{}, {}", self.kind(), scene.mesh.division)
             }
             (None, Some(count)) => format!("series, {count} nodes on half a circle"),

@@ -21,6 +21,9 @@ const KEPT: f64 = 0.7;
 /// The friction force follows the path more slowly than by any fixed rate where much slips; it takes so many times the error of the others.
 const FRICTION: f64 = 1.5;
 
+/// Part of the normal force below which a friction force is rounding.
+const BALANCED: f64 = 1e-9;
+
 /// The changes of numbers while increments are halved.
 #[derive(Default)]
 pub(super) struct Changes {
@@ -111,7 +114,11 @@ fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
     for (errors, step) in errors.iter_mut().zip(steps) {
         for (errors, edge) in errors.iter_mut().zip(step) {
             let force = errors.get(Stated::FrictionForce);
-            let part = force.map_or(0.0, |error| (error / edge.friction_force.abs()).min(1.0));
+            // A friction force that balances itself along a line says nothing of stick.
+            let rubs = edge.friction_force.abs() > BALANCED * edge.normal_force.abs();
+            let force_of_stick = force.filter(|_| rubs);
+            let part =
+                force_of_stick.map_or(0.0, |error| (error / edge.friction_force.abs()).min(1.0));
             *errors = Errors::of(|stated| match stated {
                 Stated::StickExtent | Stated::SlipAway | Stated::SlipTowards => {
                     let extent = Stated::StickExtent.value(edge).unwrap_or(0.0);

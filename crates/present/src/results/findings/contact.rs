@@ -99,16 +99,19 @@ fn outline(name: &str, step: usize, [reach, size]: [Quantity; 2], units: Display
     let part = reach.value() / size.value();
     let [pressure, stress] =
         [40.0 * part * part, 75.0 * part].map(|change| format!("{} %", short(change)));
-    let remedy = if part > FAR {
-        " The outline matters here: say model = \"elements\" of both bodies."
+    let change = if part > FAR {
+        "The outline matters here: say model = \"elements\" of both bodies.".to_owned()
     } else {
-        ""
+        format!(
+            "The peak pressure of pressed blocks of that size is up to {pressure} higher, their contact as much narrower, and the stress along the edge up to \
+             {stress} of the peak pressure higher."
+        )
     };
     format!(
-        "Contact '{name}' is between half-planes. Errors leave out what the outlines of its bodies change and the curvature of their edges: it reaches to {} in load \
-         step {step}, their half length or depth is {}. In blocks of that size the peak pressure is up to {pressure} higher, and the stress along the edge by up to {stress} of it.{remedy}",
+        "Contact '{name}' is one of half-planes. Errors contain neither what outlines nor what curved edges change: it reaches to {} in load step {step}, and half \
+         length or depth of its bodies is {}. {change}",
         shown(reach, units),
-        shown(size, units)
+        shown(size, units),
     )
 }
 

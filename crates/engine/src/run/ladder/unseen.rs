@@ -1,0 +1,68 @@
+//! Slip that nodes are too few to show.
+//!
+//! A change ΔQ of the force along a line contact under the normal force P makes the ends of contact slip, by Cattaneo and Mindlin over a width of a ΔQ/2μP. Where hardly a node
+//! slips all models agree on a contact that sticks, and the stress at its trailing edge is off by
+//!
+//! ```text
+//! 2 μ p₀ √(ΔQ/μP),     after a reversal √2 times that
+//! ```
+
+use stickslip_contact::Status;
+use stickslip_friction::History;
+
+use super::models::Level;
+use super::numbers::Table;
+use crate::results::{EdgeKind, Errors, Stated};
+
+/// Fewer nodes that slip do not resolve it.
+const FEWEST: usize = 4;
+/// Part of the normal force up to which a change of the force along the contact is rounding.
+const ROUNDING: f64 = 1e-9;
+/// Times p₀ √(μ ΔQ/P).
+const REVERSED: f64 = 3.0;
+
+/// Widens in `errors` that of the peak stress of `level` where slip does not show.
+pub(super) fn widen(errors: &mut Table, level: &Level) {
+    let lines = level.numbers.geometries.iter().enumerate();
+    for (edge, _) in lines.filter(|(_, own)| own.contact && own.kind == EdgeKind::Line) {
+        let (mut before, mut kept) = (0.0, 0.0);
+        for (errors, step) in errors.iter_mut().zip(&level.numbers.steps) {
+            let results = &step[edge];
+            let (peak, normal) = (
+                results.peak_pressure.map_or(0.0, |(peak, _)| peak),
+                results.normal_force.abs(),
+            );
+            let change = (results.resultant[0] - before).abs();
+            before = results.resultant[0];
+            let slips = |status| matches!(status, Status::SlipPositive | Status::SlipNegative);
+            let slipping = results.rows.iter().filter(|row| slips(row.status)).count();
+            if change > ROUNDING * normal && normal > 0.0 {
+                kept = if slipping < FEWEST {
+                    REVERSED * peak * (friction(level, edge, peak) * change / normal).sqrt()
+                } else {
+                    0.0
+                };
+            }
+            let own = errors[edge].clone();
+            errors[edge] = Errors::of(|stated| match stated {
+                Stated::PeakHoop => Some(own.get(stated)?.max(kept)),
+                _ => own.get(stated),
+            });
+        }
+    }
+}
+
+/// What a virgin point of the contact holds under `pressure`, as a part of it.
+fn friction(level: &Level, edge: usize, pressure: f64) -> f64 {
+    let contacts = level.solved.interface.contacts();
+    let Some(pair) = level.model.edges[edge].pair.filter(|_| pressure > 0.0) else {
+        return 0.0;
+    };
+    let points = contacts.pair_points(pair);
+    let middle = points.start + points.len() / 2;
+    let place = &contacts.points()[middle].place;
+    let bound = contacts
+        .law(middle)
+        .bound(pressure, 0.0, place, &History::default());
+    bound.stick / pressure
+}
