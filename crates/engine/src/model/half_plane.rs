@@ -2,11 +2,10 @@
 
 use stickslip_fem_core::material::Isotropic;
 use stickslip_friction::{History, Place};
-use stickslip_scene::schema::{Hold, LoadKind, MeshSettings};
+use stickslip_scene::schema::{Hold, LoadKind};
 use stickslip_scene::shape::{Curve, Edge, Role};
 use stickslip_series::{Ground, HalfPlane, Lies, LineNodes};
 
-use super::meshes;
 use super::plan::{ContactPlan, Plan};
 
 /// Whether the shape of the body with the index `index` stands for a half-plane.
@@ -15,29 +14,11 @@ pub(super) fn stands_for_one(plan: &Plan<'_>, index: usize) -> bool {
 }
 
 /// The edge along which it touches.
-fn face(plan: &Plan<'_>, index: usize) -> Option<Edge> {
+pub(super) fn face(plan: &Plan<'_>, index: usize) -> Option<Edge> {
     let shape = plan.bodies[index].shape;
     shape
         .edge_with(Role::Cap)
         .or_else(|| shape.edge_with(Role::Surface))
-}
-
-/// Its contact nodes; otherwise why there are none.
-pub(super) fn nodes(
-    plan: &Plan<'_>,
-    index: usize,
-    division: &MeshSettings,
-    half: bool,
-) -> Result<LineNodes, String> {
-    let face = face(plan, index).ok_or("is neither a block nor a cylinder")?;
-    let places = meshes::on_line(plan, index, division.clone(), face.name, half);
-    let places = places.map_err(|cause| cause.to_string())?;
-    let nodes = if half {
-        LineNodes::mirrored(places)
-    } else {
-        LineNodes::whole(places)
-    };
-    nodes.map_err(|cause| cause.to_string())
 }
 
 /// The body with the index `index` as a half-plane; otherwise why it is none, as the end of a sentence about it.

@@ -10,10 +10,12 @@ use stickslip_scene::schema::{
     BodyModel, Division, GapKind, Grading, Hold, LoadKind, MeshSettings, ProjectionChoice, SetRef,
 };
 use stickslip_scene::shape::{Curve, Role};
-use stickslip_series::{Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, Nodes, Outline, Plate};
+use stickslip_series::{
+    Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, LineNodes, Nodes, Outline, Plate,
+};
 
 use super::half_plane;
-use super::meshes::on_circles;
+use super::meshes::{on_circles, on_line};
 use super::plan::{BodyPlan, Placed, Plan};
 use super::{Model, ModelError};
 use crate::results::Choice;
@@ -60,7 +62,7 @@ pub(super) fn choose(
                 nodes(plan, index, &division, half).is_ok_and(|nodes| nodes == *known)
             }
             SeriesNodes::Line(known) => {
-                half_plane::nodes(plan, index, &division, half).is_ok_and(|nodes| nodes == *known)
+                line_nodes(plan, index, &division, half).is_ok_and(|nodes| nodes == *known)
             }
         };
         let ready = ready.filter(fits);
@@ -251,6 +253,24 @@ fn division(plan: &Plan<'_>, scene: &Scene, index: usize) -> MeshSettings {
     }
 }
 
+/// Contact nodes of the body with the index `index` as a half-plane; otherwise why there are none.
+fn line_nodes(
+    plan: &Plan<'_>,
+    index: usize,
+    division: &MeshSettings,
+    half: bool,
+) -> Result<LineNodes, String> {
+    let face = half_plane::face(plan, index).ok_or("is neither a block nor a cylinder")?;
+    let places = on_line(plan, index, division.clone(), face.name, half);
+    let places = places.map_err(|cause| cause.to_string())?;
+    let nodes = if half {
+        LineNodes::mirrored(places)
+    } else {
+        LineNodes::whole(places)
+    };
+    nodes.map_err(|cause| cause.to_string())
+}
+
 /// The body of a line contact with the index `index` as a half-plane; otherwise why it cannot be one.
 fn line(
     plan: &Plan<'_>,
@@ -261,7 +281,7 @@ fn line(
     let Membrane::Isotropic(material) = membrane(plan, &plan.bodies[index])? else {
         return Err("is not isotropic".into());
     };
-    let nodes = half_plane::nodes(plan, index, division, half)?;
+    let nodes = line_nodes(plan, index, division, half)?;
     let body = half_plane::body(plan, index, (nodes, &material), half)?;
     let [low, high] = plan.bodies[index].shape.bounds();
     Ok(SeriesBody::HalfPlane {

@@ -130,7 +130,8 @@ impl Climb<'_> {
         }
         let mut divided = division::errors(&numbers(levels), self.models.spaced());
         if let Some(last) = levels.last() {
-            unseen::widen(&mut divided, last);
+            let friction = |edge, pressure| last.friction(edge, pressure);
+            unseen::widen(&mut divided, &last.numbers, friction);
         }
         sum(&sum(&divided, &path.numbers), &geometry.errors)
     }

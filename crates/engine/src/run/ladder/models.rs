@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use stickslip_contact::{Interface, InterfaceSolver};
 use stickslip_fem_core::InterfaceOperator;
+use stickslip_friction::History;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
 
@@ -86,6 +87,21 @@ impl Level {
     /// How it is divided, for a reader.
     pub(super) fn describe(&self) -> String {
         self.division.clone()
+    }
+
+    /// What a virgin point in the middle of a contact edge holds under `pressure`, as a part of it.
+    pub(super) fn friction(&self, edge: usize, pressure: f64) -> f64 {
+        let contacts = self.solved.interface.contacts();
+        let Some(pair) = self.model.edges[edge].pair.filter(|_| pressure > 0.0) else {
+            return 0.0;
+        };
+        let points = contacts.pair_points(pair);
+        let middle = points.start + points.len() / 2;
+        let place = &contacts.points()[middle].place;
+        let bound = contacts
+            .law(middle)
+            .bound(pressure, 0.0, place, &History::default());
+        bound.stick / pressure
     }
 
     /// Whether friction acts anywhere in its history.

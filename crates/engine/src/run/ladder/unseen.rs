@@ -8,10 +8,8 @@
 //! ```
 
 use stickslip_contact::Status;
-use stickslip_friction::History;
 
-use super::models::Level;
-use super::numbers::Table;
+use super::numbers::{Numbers, Table};
 use crate::results::{EdgeKind, Errors, Stated};
 
 /// Fewer nodes that slip do not resolve it.
@@ -21,12 +19,12 @@ const ROUNDING: f64 = 1e-9;
 /// Times p₀ √(μ ΔQ/P).
 const REVERSED: f64 = 3.0;
 
-/// Widens in `errors` that of the peak stress of `level` where slip does not show.
-pub(super) fn widen(errors: &mut Table, level: &Level) {
-    let lines = level.numbers.geometries.iter().enumerate();
+/// Widens in `errors` that of the peak stress of `level` where slip does not show; `friction` is what an edge holds under a pressure, as a part of it.
+pub(super) fn widen(errors: &mut Table, level: &Numbers, friction: impl Fn(usize, f64) -> f64) {
+    let lines = level.geometries.iter().enumerate();
     for (edge, _) in lines.filter(|(_, own)| own.contact && own.kind == EdgeKind::Line) {
         let (mut before, mut kept) = (0.0, 0.0);
-        for (errors, step) in errors.iter_mut().zip(&level.numbers.steps) {
+        for (errors, step) in errors.iter_mut().zip(&level.steps) {
             let results = &step[edge];
             let (peak, normal) = (
                 results.peak_pressure.map_or(0.0, |(peak, _)| peak),
@@ -38,7 +36,7 @@ pub(super) fn widen(errors: &mut Table, level: &Level) {
             let slipping = results.rows.iter().filter(|row| slips(row.status)).count();
             if change > ROUNDING * normal && normal > 0.0 {
                 kept = if slipping < FEWEST {
-                    REVERSED * peak * (friction(level, edge, peak) * change / normal).sqrt()
+                    REVERSED * peak * (friction(edge, peak) * change / normal).sqrt()
                 } else {
                     0.0
                 };
@@ -50,19 +48,4 @@ pub(super) fn widen(errors: &mut Table, level: &Level) {
             });
         }
     }
-}
-
-/// What a virgin point of the contact holds under `pressure`, as a part of it.
-fn friction(level: &Level, edge: usize, pressure: f64) -> f64 {
-    let contacts = level.solved.interface.contacts();
-    let Some(pair) = level.model.edges[edge].pair.filter(|_| pressure > 0.0) else {
-        return 0.0;
-    };
-    let points = contacts.pair_points(pair);
-    let middle = points.start + points.len() / 2;
-    let place = &contacts.points()[middle].place;
-    let bound = contacts
-        .law(middle)
-        .bound(pressure, 0.0, place, &History::default());
-    bound.stick / pressure
 }
