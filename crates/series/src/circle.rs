@@ -156,36 +156,71 @@ impl Surface {
 
 /// The compliance `[length/force]` of the kernels L and S, 2n × 2n.
 pub(crate) fn compliance(nodes: &Nodes, surface: Surface, thickness: f64) -> DMatrix<f64> {
-    let unit = 1.0 / (PI * thickness);
     let means = Means::new(nodes);
-    let count = nodes.len();
-    let mut matrix = DMatrix::zeros(2 * count, 2 * count);
-    for j in 0..count {
-        for i in 0..count {
-            let mut entries = surface.at(means.at(i, j));
-            if nodes.is_mirrored() {
-                // A force on the half has its image on the other half, −y for y; both are one place on the axis.
-                let image = surface.at(means.at(i, nodes.knots()[j].image));
-                for (row, [x, y]) in entries.iter_mut().zip(image) {
-                    row[0] += x;
-                    row[1] -= y;
+    let symmetry = Symmetry {
+        mirrored: nodes.is_mirrored(),
+        across: 1,
+    };
+    symmetry.assembled(
+        nodes.len(),
+        1.0 / (PI * thickness),
+        |node| nodes.on_axis(node),
+        |row, column, of_image| {
+            let knot = if of_image {
+                nodes.knots()[column].image
+            } else {
+                column
+            };
+            surface.at(means.at(row, knot))
+        },
+    )
+}
+
+/// How a half model stands for the whole.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Symmetry {
+    pub(crate) mirrored: bool,
+    /// The axis across the line of symmetry, 0 for x and 1 for y.
+    pub(crate) across: usize,
+}
+
+impl Symmetry {
+    /// The compliance of `count` nodes whose blocks are `unit` times `block(row, column, false)`, of a half model with those of the images of the columns.
+    pub(crate) fn assembled(
+        self,
+        count: usize,
+        unit: f64,
+        on_axis: impl Fn(usize) -> bool,
+        block: impl Fn(usize, usize, bool) -> [[f64; 2]; 2],
+    ) -> DMatrix<f64> {
+        let Self { mirrored, across } = self;
+        let mut matrix = DMatrix::zeros(2 * count, 2 * count);
+        for j in 0..count {
+            for i in 0..count {
+                let mut entries = block(i, j, false);
+                if mirrored {
+                    // A force on the half has its image on the other half, reversed across; both are one place on the axis.
+                    for (row, image) in entries.iter_mut().zip(block(i, j, true)) {
+                        row[1 - across] += image[1 - across];
+                        row[across] -= image[across];
+                    }
+                    if on_axis(i) {
+                        entries[across] = [0.0; 2];
+                    }
+                    if on_axis(j) {
+                        entries[0][across] = 0.0;
+                        entries[1][across] = 0.0;
+                    }
                 }
-                if nodes.on_axis(i) {
-                    entries[1] = [0.0; 2];
-                }
-                if nodes.on_axis(j) {
-                    entries[0][1] = 0.0;
-                    entries[1][1] = 0.0;
-                }
-            }
-            for row in 0..2 {
-                for column in 0..2 {
-                    matrix[(2 * i + row, 2 * j + column)] = unit * entries[row][column];
+                for row in 0..2 {
+                    for column in 0..2 {
+                        matrix[(2 * i + row, 2 * j + column)] = unit * entries[row][column];
+                    }
                 }
             }
         }
+        matrix
     }
-    matrix
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
-use crate::circle::{Kolosov, Side, Surface, positive};
+use crate::circle::{Kolosov, Side, Surface, Symmetry, positive};
 use crate::error::SeriesError;
 use crate::field::check;
 use crate::hole::check_load;
@@ -230,43 +230,26 @@ fn compliance(nodes: &LineNodes, material: Kolosov, ground: Ground) -> DMatrix<f
         Lies::Above => Side::Inside,
     };
     let surface = Surface::new(material, side);
-    let unit = 1.0 / (PI * ground.thickness);
     let [log, odd] = nodes.means();
     let scale = ground.reference.ln();
-    let count = nodes.len();
-    let mut matrix = DMatrix::zeros(2 * count, 2 * count);
-    for j in 0..count {
-        for i in 0..count {
-            let means = |knot: usize| {
-                [
-                    log[(nodes.knot(i), knot)] + scale,
-                    odd[(nodes.knot(i), knot)],
-                ]
+    let symmetry = Symmetry {
+        mirrored: nodes.is_mirrored(),
+        across: 0,
+    };
+    symmetry.assembled(
+        nodes.len(),
+        1.0 / (PI * ground.thickness),
+        |node| nodes.on_axis(node),
+        |row, column, of_image| {
+            let knot = if of_image {
+                nodes.image(column)
+            } else {
+                nodes.knot(column)
             };
-            let mut entries = surface.at(means(nodes.knot(j)));
-            if nodes.is_mirrored() {
-                // A force on the half has its image on the other half, −x for x; both are one place on the axis.
-                let image = surface.at(means(nodes.image(j)));
-                for (row, [x, y]) in entries.iter_mut().zip(image) {
-                    row[0] -= x;
-                    row[1] += y;
-                }
-                if nodes.on_axis(i) {
-                    entries[0] = [0.0; 2];
-                }
-                if nodes.on_axis(j) {
-                    entries[0][0] = 0.0;
-                    entries[1][0] = 0.0;
-                }
-            }
-            for row in 0..2 {
-                for column in 0..2 {
-                    matrix[(2 * i + row, 2 * j + column)] = unit * entries[row][column];
-                }
-            }
-        }
-    }
-    matrix
+            let at = (nodes.knot(row), knot);
+            surface.at([log[at] + scale, odd[at]])
+        },
+    )
 }
 
 impl InterfaceOperator for HalfPlane {

@@ -37,10 +37,9 @@ pub(super) fn choose(
     half: bool,
     choices: &mut Vec<Choice>,
 ) -> Result<(), ModelError> {
-    let asked: Vec<BodyModel> = scene.bodies.values().map(|body| body.model).collect();
+    let mut asked: Vec<BodyModel> = scene.bodies.values().map(|body| body.model).collect();
     let explicit = asked.iter().any(|model| model.is_closed_form());
     let auto = !explicit && !plan.is_divided && !plan.contacts.is_empty();
-    let mut asked = asked;
     if asked.contains(&BodyModel::HalfPlane) {
         partners_too(plan, &mut asked)?;
         only_half_planes(plan, &asked)?;
