@@ -249,13 +249,15 @@ impl Builder<'_> {
             return None;
         };
         let points = if fits == Fits::Edges {
-            &[]
+            Vec::new()
         } else {
             body.shape.points()
         };
         let edges = body.shape.edges().into_iter().map(|edge| edge.name);
-        let sets: Vec<_> = edges.chain(points.iter().map(|&(name, _)| name)).collect();
-        if sets.contains(&set) {
+        let sets: Vec<_> = edges
+            .chain(points.into_iter().map(|(name, _)| name))
+            .collect();
+        if sets.iter().any(|known| known == set) {
             return Some(SetRef {
                 body: name.to_owned(),
                 set: set.to_owned(),
@@ -270,7 +272,8 @@ impl Builder<'_> {
                 "edge or point"
             },
             set: set.to_owned(),
-            nearest: nearest(set, sets.iter().copied()).map(|set| format!("{name}.{set}")),
+            nearest: nearest(set, sets.iter().map(|known| &**known))
+                .map(|set| format!("{name}.{set}")),
             known: sets.iter().map(|set| format!("{name}.{set}")).collect(),
         };
         self.report(key, Part::Value, problem);

@@ -1,16 +1,17 @@
 //! Where round bodies stand: each in the hole that holds it.
 //!
 //! ```text
-//! centre(second) = centre(first) + (max(R_first − R_second, 0), 0)
+//! centre(second) = centre(first) + c + (max(R_first − R_second, 0), 0)
 //! ```
 //!
-//! A body that no hole holds is centred on the origin. One with clearance starts where it touches at θ = 0, one with
+//! c is where the first body has its hole. A body that no hole holds is centred on the origin. One with clearance starts where it touches at θ = 0, one with
 //! interference concentric with what holds it.
 
 use stickslip_fem_core::mesh::Point;
 
 use crate::Scene;
 use crate::schema::{Contact, SetRef};
+use crate::shape::Curve;
 
 /// Radii `[mm]` of the two circles of a round contact.
 pub fn radii(scene: &Scene, contact: &Contact) -> Option<[f64; 2]> {
@@ -33,14 +34,25 @@ pub fn offset([first, second]: [f64; 2]) -> Point {
 
 /// Centre of `body` `[mm]`.
 pub fn centre(scene: &Scene, body: &str) -> Point {
-    let (mut sum, mut inner) = (0.0, body);
+    let (mut sum, mut inner) = ([0.0; 2], body);
     // A checked scene has no circular chain, so every contact is passed at most once.
     for _ in &scene.contacts {
         let Some(contact) = holder(scene, inner) else {
             break;
         };
-        sum += radii(scene, contact).map_or(0.0, |radii| offset(radii)[0]);
+        let aside = radii(scene, contact).map_or([0.0; 2], offset);
+        let hole = hole_centre(scene, &contact.first);
+        sum = [0, 1].map(|axis| sum[axis] + (hole[axis] + aside[axis]));
         inner = &contact.first.body;
     }
-    [sum, 0.0]
+    sum
+}
+
+/// Centre of the circle `on`, seen from that of its body `[mm]`.
+fn hole_centre(scene: &Scene, on: &SetRef) -> Point {
+    let body = scene.bodies.get(&on.body);
+    match body.and_then(|body| Some(body.shape.edge(&on.set)?.curve)) {
+        Some(Curve::Circle { centre, .. }) => centre,
+        _ => [0.0; 2],
+    }
 }

@@ -46,7 +46,7 @@ macro_rules! shapes {
         $(pub use self::$file::$Other;)*
 
         /// A body's shape; what it brings is its [`Outline`].
-        #[derive(Debug, Clone, Copy, PartialEq)]
+        #[derive(Debug, Clone, PartialEq)]
         pub enum Shape {
             $(#[doc = concat!("`plate_with_hole.outline.", $hole_key, "`")] $Hole($Hole),)*
             $(#[doc = concat!("`", $key, "`")] $Other($Other),)*

@@ -131,7 +131,7 @@ fn of_law(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<String> {
 
 /// The side of the line of symmetry on which all of an edge lies; a half model leaves out the negative side.
 fn lateral<T>(placed: &Placed<'_, T>, across: usize) -> Option<f64> {
-    placed.edge?.side(across)
+    placed.edge.as_ref()?.side(across)
 }
 
 fn mirrors(material: &Material) -> bool {

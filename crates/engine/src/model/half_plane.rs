@@ -157,7 +157,7 @@ fn loads(plan: &Plan<'_>, index: usize) -> Result<Vec<[f64; 2]>, String> {
         ) {
             return Err(format!("has the load '{name}', neither force nor pressure"));
         }
-        if load.edge != Some(far) {
+        if load.edge.as_ref() != Some(&far) {
             return Err(format!(
                 "has the load '{name}', and forces on a half-plane act far away, on '{}'",
                 far.name

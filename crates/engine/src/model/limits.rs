@@ -81,7 +81,7 @@ fn reported(plan: &Plan<'_>, index: usize, edge: &Placed<'_, SetRef>) -> Result<
         let what = format!("{on} belongs to a rigid body, which has no stresses");
         return refuse(key, what);
     }
-    if edge.edge.is_some_and(|own| !own.is_reportable()) {
+    if edge.edge.as_ref().is_some_and(|own| !own.is_reportable()) {
         let what =
             format!("{on} does not run along x; only circles and edges along x are reported");
         return refuse(key, what);

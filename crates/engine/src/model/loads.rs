@@ -240,7 +240,11 @@ pub(super) fn frame(plan: &Plan<'_>, on: &SetRef, half: bool) -> ContactFrame {
 
 /// −1 where the normal of results on the edge points into the body, otherwise 1.
 fn sign<T>(on: &Placed<'_, T>) -> f64 {
-    if on.edge.is_some_and(|edge| edge.has_inward_normal()) {
+    if on
+        .edge
+        .as_ref()
+        .is_some_and(|edge| edge.has_inward_normal())
+    {
         -1.0
     } else {
         1.0

@@ -219,7 +219,7 @@ impl<'a> Plan<'a> {
 impl<T> Placed<'_, T> {
     /// Radius of the closed circle that it is on.
     pub(super) fn circle(&self) -> Option<f64> {
-        self.edge?.circle()
+        self.edge.as_ref()?.circle()
     }
 }
 

@@ -122,10 +122,10 @@ impl FailureRequest {
             let mesh = elastic.mesh();
             let singular = singular(plan, index, mesh).map_err(mesh_error)?;
             let edge = planned.shape.edge_with(Role::Hole).map(|edge| edge.name);
-            let hole = edge.map(|set| region(mesh, set)).transpose();
+            let hole = (edge.as_deref()).map(|set| region(mesh, set)).transpose();
             let hole = hole.map_err(mesh_error)?.flatten();
             let frame = edge.map_or(ContactFrame::NONE, |set| {
-                let (body, set) = (body.name.clone(), set.to_owned());
+                let (body, set) = (body.name.clone(), set.into_owned());
                 loads::frame(plan, &SetRef { body, set }, half)
             });
             let progressive = settings.progressive.as_ref();

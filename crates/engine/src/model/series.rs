@@ -197,7 +197,11 @@ fn only_half_planes(plan: &Plan<'_>, asked: &[BodyModel]) -> Result<(), ModelErr
         return refuse("mesh".into(), what.into());
     }
     let far = |edge: &Placed<'_, SetRef>| {
-        is_asked(edge.body) && edge.edge.is_none_or(|edge| edge.role == Role::Free)
+        is_asked(edge.body)
+            && edge
+                .edge
+                .as_ref()
+                .is_none_or(|edge| edge.role == Role::Free)
     };
     match plan.edges.iter().position(far) {
         Some(number) => {
@@ -260,7 +264,7 @@ fn line_nodes(
     half: bool,
 ) -> Result<LineNodes, String> {
     let face = half_plane::face(plan, index).ok_or("is neither a block nor a cylinder")?;
-    let places = on_line(plan, index, division.clone(), face.name, half);
+    let places = on_line(plan, index, division.clone(), &face.name, half);
     let places = places.map_err(|cause| cause.to_string())?;
     let nodes = if half {
         LineNodes::mirrored(places)
@@ -310,7 +314,7 @@ fn body(
     let straight = edges
         .iter()
         .filter_map(|edge| match edge.curve {
-            Curve::Segment { ends } => Some((edge.name, ends)),
+            Curve::Segment { ends } => Some((edge.name.as_ref(), ends)),
             _ => None,
         })
         .collect::<Vec<_>>();
@@ -410,12 +414,12 @@ impl Given<'_> {
         Ok(SeriesBody::Disk(Box::new(disk)))
     }
 
-    fn plate(self, straight: &[(&'static str, [Point; 2])]) -> Result<SeriesBody, String> {
+    fn plate(self, straight: &[(&str, [Point; 2])]) -> Result<SeriesBody, String> {
         if self.plan.supports_of(self.index).next().is_some() {
             return Err("is held along an outer edge".into());
         }
         let order = cycle(straight).ok_or("has an outline that is not closed")?;
-        let centre = self.circle.centre;
+        let centre = self.plan.bodies[self.index].centre;
         let moved = |point: Point| [point[0] + centre[0], point[1] + centre[1]];
         let vertices = order
             .iter()
@@ -425,8 +429,9 @@ impl Given<'_> {
         for load in &self.plan.loads {
             let name = load
                 .edge
+                .as_ref()
                 .filter(|_| load.body == self.index)
-                .map(|edge| edge.name);
+                .map(|edge| edge.name.as_ref());
             let Some(name) = name else {
                 loads.push(Vec::new());
                 continue;
@@ -485,7 +490,7 @@ impl Given<'_> {
 }
 
 /// The order in which the edges follow each other with the body on the left, beginning with the first.
-fn cycle(edges: &[(&'static str, [Point; 2])]) -> Option<Vec<usize>> {
+fn cycle(edges: &[(&str, [Point; 2])]) -> Option<Vec<usize>> {
     let mut order = vec![0];
     while order.len() < edges.len() {
         let end = edges[*order.last()?].1[1];
@@ -506,13 +511,13 @@ fn circle(plan: &Plan<'_>, index: usize) -> Result<Circle, String> {
     let (Some(side), None) = (touching.next(), touching.next()) else {
         return Err("does not touch along exactly one edge".into());
     };
-    let round = side
-        .edge
-        .filter(|edge| matches!(edge.role, Role::Hole | Role::Rim));
-    let radius = round.and_then(|edge| edge.circle());
+    let round = (side.edge.as_ref()).filter(|edge| matches!(edge.role, Role::Hole | Role::Rim));
+    let Some(Curve::Circle { centre, radius }) = round.map(|edge| edge.curve) else {
+        return Err("touches along an edge that is not a closed circle".into());
+    };
     Ok(Circle {
-        centre: own.centre,
-        radius: radius.ok_or("touches along an edge that is not a closed circle")?,
+        centre: [0, 1].map(|axis| own.centre[axis] + centre[axis]),
+        radius,
         thickness: own.thickness(),
     })
 }

@@ -85,7 +85,7 @@ impl Builder<'_> {
         let asked = self.bodies.iter();
         let asked = asked.filter(|(_, body)| body.model == BodyModel::HalfPlane);
         let asked: Vec<_> = asked
-            .map(|(name, body)| (name.clone(), body.shape))
+            .map(|(name, body)| (name.clone(), body.shape.clone()))
             .collect();
         for (name, shape) in &asked {
             let is_line = [Role::Cap, Role::Surface].map(|role| shape.edge_with(role).is_some());

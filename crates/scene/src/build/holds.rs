@@ -133,7 +133,7 @@ impl Builder<'_> {
             let quoted: Vec<_> = bodies.iter().map(|body| format!("'{body}'")).collect();
             let problem = SceneProblem::UnsupportedBody {
                 bodies: quoted.join(" and "),
-                example: format!("{first}.{}", set.map_or("edge", |edge| edge.name)),
+                example: format!("{first}.{}", set.map_or("edge".into(), |edge| edge.name)),
             };
             self.report(&format!("bodies.{first}"), Part::Key, problem);
         }

@@ -187,7 +187,7 @@ impl Builder<'_> {
         given: &PolarTractionFormat,
         base: &Path,
     ) -> Option<LoadKind> {
-        let shape = self.bodies.get(&on.body)?.shape;
+        let shape = self.bodies.get(&on.body)?.shape.clone();
         if shape.circle(&on.set).is_none() {
             let edges = shape.edges().into_iter();
             let circles = edges.filter(|edge| edge.circle().is_some());

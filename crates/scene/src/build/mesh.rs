@@ -52,10 +52,10 @@ impl Builder<'_> {
     fn undivided(&mut self) -> MeshSettings {
         let elastic = self.bodies.values();
         let elastic = elastic.filter(|body| body.substance != Substance::Rigid);
-        let (round, others): (Vec<Shape>, Vec<Shape>) = elastic
-            .map(|body| body.shape)
+        let (round, others): (Vec<&Shape>, Vec<&Shape>) = elastic
+            .map(|body| &body.shape)
             .partition(|shape| shape.is_round());
-        let least = |shape: &Shape| {
+        let least = |shape: &&Shape| {
             let [low, high] = shape.bounds();
             (high[0] - low[0]).min(high[1] - low[1])
         };
@@ -134,7 +134,7 @@ impl Builder<'_> {
         let bodies = self.bodies.iter().filter(|(name, _)| holds_for(name));
         let shapes: Vec<Shape> = bodies
             .filter(|(_, body)| body.substance != Substance::Rigid)
-            .map(|(_, body)| body.shape)
+            .map(|(_, body)| body.shape.clone())
             .collect();
         let Some(Value::Object(written)) = self.document.get(table) else {
             return;
@@ -284,10 +284,11 @@ impl Builder<'_> {
                 Dimension::Length
             }
         };
-        let shapes = scope.bodies.iter().copied().filter_map(|body| {
-            let shape = self.bodies.get(body)?.shape;
-            Some((body, shape))
-        });
+        let shapes = scope
+            .bodies
+            .iter()
+            .copied()
+            .filter_map(|body| Some((body, self.bodies.get(body)?.shape.clone())));
         let mut misfits = shapes.filter(|(_, shape)| wanted(shape) != dimension);
         let Some((body, shape)) = misfits.next() else {
             return;

@@ -85,12 +85,13 @@ impl Outline for Cylinder {
             centre: [0.0, self.radius],
             radius: self.radius,
             ends: [[left, self.rise()], [right, self.rise()]],
+            turn: 2.0 * (self.half_length / self.radius).asin(),
         };
         let contact = Edge {
-            name: "contact",
+            name: "contact".into(),
             curve,
             role: Role::Cap,
-            size: Some("cylinder.radius"),
+            size: Some("cylinder.radius".into()),
         };
         vec![contact, Edge::straight("top", [[right, top], [left, top]])]
     }

@@ -1,5 +1,7 @@
 //! `disk`: a pin.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::generate;
 use stickslip_fem_core::mesh::Point;
@@ -49,8 +51,8 @@ impl Outline for Disk {
         vec![Edge::circular("rim", Role::Rim, self.radius, "disk.radius")]
     }
 
-    fn points(&self) -> &'static [(&'static str, Point)] {
-        &[("centre", [0.0; 2])]
+    fn points(&self) -> Vec<(Cow<'static, str>, Point)> {
+        vec![("centre".into(), [0.0; 2])]
     }
 
     fn bounds(&self) -> [Point; 2] {

@@ -1,5 +1,7 @@
 //! What a shape brings: its edges and points, its extent and symmetry, its mesh, and how it is described.
 
+use std::borrow::Cow;
+use std::f64::consts::{PI, TAU};
 use std::fmt;
 
 use stickslip_fem_core::generate::{Extent, Generate, GenerateError};
@@ -18,8 +20,8 @@ pub trait Outline: fmt::Debug {
     fn edges(&self) -> Vec<Edge>;
 
     /// Its named points that are no edges, with their places.
-    fn points(&self) -> &'static [(&'static str, Point)] {
-        &[]
+    fn points(&self) -> Vec<(Cow<'static, str>, Point)> {
+        Vec::new()
     }
 
     /// The smallest and the largest x and y of its points.
@@ -76,27 +78,29 @@ pub trait Outline: fmt::Debug {
 pub(super) const CIRCLE_KEYS: &[&str] = &["spacing", "angles", "fine_to", "coarse_spacing"];
 
 /// A named edge.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Edge {
     /// Name of its node and edge sets.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Where it lies exactly.
     pub curve: Curve,
     /// Its part in contacts.
     pub role: Role,
     /// Key of the size that places it, below `shape`: of a circle its radius, of a straight edge its distance from the centre.
-    pub size: Option<&'static str>,
+    pub size: Option<Cow<'static, str>>,
 }
 
 /// An exact curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Curve {
-    /// A closed circle about the body's centre.
+    /// A closed circle.
     Circle {
+        /// Its centre.
+        centre: Point,
         /// Its radius.
         radius: f64,
     },
-    /// A part of a circle, less than half of it.
+    /// A part of a circle.
     Arc {
         /// Centre of the circle.
         centre: Point,
@@ -104,6 +108,8 @@ pub enum Curve {
         radius: f64,
         /// Its ends; on the way from the first to the second the body is on the left.
         ends: [Point; 2],
+        /// The angle on that way, counter-clockwise positive `[rad]`, less than 2π in magnitude.
+        turn: f64,
     },
     /// A straight line.
     Segment {
@@ -116,12 +122,15 @@ impl Curve {
     /// The least and the greatest coordinate along `axis` (0 for x, 1 for y).
     fn range(&self, axis: usize) -> [f64; 2] {
         let points = match *self {
-            Self::Circle { radius } => return [-radius, radius],
+            Self::Circle { centre, radius } => {
+                return [centre[axis] - radius, centre[axis] + radius];
+            }
             Self::Segment { ends } => ends.to_vec(),
             Self::Arc {
                 centre,
                 radius,
                 ends,
+                turn,
             } => {
                 let extremes = [-radius, radius].map(|step| {
                     let mut extreme = centre;
@@ -130,7 +139,7 @@ impl Curve {
                 });
                 let own = extremes
                     .into_iter()
-                    .filter(|&at| is_between(centre, ends, at));
+                    .filter(|&at| is_passed(centre, ends[0], turn, at));
                 own.chain(ends).collect()
             }
         };
@@ -141,12 +150,11 @@ impl Curve {
     }
 }
 
-/// Whether the point `at` of a circle is on its arc between `ends`, less than half of it: beyond the chord as seen from the centre.
-fn is_between(centre: Point, [from, to]: [Point; 2], at: Point) -> bool {
-    let middle = [0, 1].map(|axis| 0.5 * (from[axis] + to[axis]) - centre[axis]);
-    let depth =
-        |point: Point| (point[0] - centre[0]) * middle[0] + (point[1] - centre[1]) * middle[1];
-    depth(at) > depth(from)
+/// Whether the way along a circle about `centre` from the point `from` through the angle `turn` passes its point `at`.
+fn is_passed(centre: Point, from: Point, turn: f64, at: Point) -> bool {
+    let angle = |point: Point| (point[1] - centre[1]).atan2(point[0] - centre[0]);
+    let ahead = (angle(at) - angle(from)) * turn.signum();
+    ahead.rem_euclid(TAU) < turn.abs()
 }
 
 /// The part of an edge in contacts, or in the size of a plate around a hole. A hole takes a rim; a cap takes a surface, and the two bodies
@@ -185,7 +193,7 @@ pub enum Touch {
 }
 
 impl Edge {
-    /// A closed circle, whose radius has the key `size`.
+    /// A closed circle about the body's centre, whose radius has the key `size`.
     pub(super) fn circular(
         name: &'static str,
         role: Role,
@@ -193,17 +201,20 @@ impl Edge {
         size: &'static str,
     ) -> Self {
         Self {
-            name,
-            curve: Curve::Circle { radius },
+            name: name.into(),
+            curve: Curve::Circle {
+                centre: [0.0; 2],
+                radius,
+            },
             role,
-            size: Some(size),
+            size: Some(size.into()),
         }
     }
 
     /// A straight edge without a part in contacts or sizes.
     pub(super) fn straight(name: &'static str, ends: [Point; 2]) -> Self {
         Self {
-            name,
+            name: name.into(),
             curve: Curve::Segment { ends },
             role: Role::Free,
             size: None,
@@ -217,14 +228,14 @@ impl Edge {
 
     /// The same edge with the key of its distance from the centre.
     pub(super) fn placed_by(self, size: &'static str) -> Self {
-        let size = Some(size);
+        let size = Some(size.into());
         Self { size, ..self }
     }
 
     /// Radius of a closed circle.
     pub fn circle(&self) -> Option<f64> {
         match self.curve {
-            Curve::Circle { radius } => Some(radius),
+            Curve::Circle { radius, .. } => Some(radius),
             Curve::Arc { .. } | Curve::Segment { .. } => None,
         }
     }
@@ -255,9 +266,11 @@ impl Edge {
     pub fn is_reportable(&self) -> bool {
         match self.curve {
             Curve::Circle { .. } => true,
-            Curve::Arc { centre, ends, .. } => {
+            Curve::Arc {
+                centre, ends, turn, ..
+            } => {
                 let [from, to] = ends.map(|end| end[1] - centre[1]);
-                from * to > 0.0
+                from * to > 0.0 && turn.abs() < PI
             }
             Curve::Segment { .. } => self.level(1).is_some(),
         }
@@ -276,9 +289,9 @@ impl Edge {
         match (self.role, self.curve, second.role, second.curve) {
             (
                 Role::Hole,
-                Curve::Circle { radius: hole },
+                Curve::Circle { radius: hole, .. },
                 Role::Rim,
-                Curve::Circle { radius: inner },
+                Curve::Circle { radius: inner, .. },
             ) => Some(Touch::Circles {
                 radii: [hole, inner],
             }),
@@ -378,10 +391,12 @@ mod tests {
     }
 
     fn arc(centre: Point, radius: f64, ends: [Point; 2]) -> Edge {
+        let [from, to] = ends.map(|[x, y]| (y - centre[1]).atan2(x - centre[0]));
         let curve = Curve::Arc {
             centre,
             radius,
             ends,
+            turn: (to - from).rem_euclid(TAU),
         };
         Edge {
             curve,
@@ -396,6 +411,15 @@ mod tests {
             (segment([-1.0, 2.0], [-3.0, 5.0]), [Some(-1.0), Some(1.0)]),
             (segment([0.0, -2.0], [3.0, 0.0]), [Some(1.0), Some(-1.0)]),
             (segment([0.0, -2.0], [0.0, 1.0]), [None, None]),
+            // Half a circle, and three quarters of one.
+            (
+                arc([0.0, 5.0], 5.0, [[0.0, 0.0], [0.0, 10.0]]),
+                [Some(1.0), Some(1.0)],
+            ),
+            (
+                arc([4.0, 5.0], 5.0, [[4.0, 0.0], [-1.0, 5.0]]),
+                [None, Some(1.0)],
+            ),
             (
                 Edge::circular("rim", Role::Rim, 2.0, "radius"),
                 [None, None],

@@ -79,11 +79,15 @@ fn divided<T>(shape: &Shape, extent: Extent, then: impl Fn(&Divided<'_>) -> T) -
 /// How far `at` lies from the curve `[mm]`.
 fn distance(curve: Curve, [x, y]: Point) -> f64 {
     match curve {
-        Curve::Circle { radius } => (x.hypot(y) - radius).abs(),
+        Curve::Circle {
+            centre: [centre_x, centre_y],
+            radius,
+        } => ((x - centre_x).hypot(y - centre_y) - radius).abs(),
         Curve::Arc {
             centre,
             radius,
             ends: [from, to],
+            ..
         } => {
             // The arc's digits near the origin are those of its height, so it is measured along y.
             let across = x - centre[0];
@@ -211,19 +215,19 @@ fn edges_and_points_exist_where_the_shape_says() {
     all(|name, shape, mesh, extent, nodes| {
         for edge in shape.edges() {
             if left_out(shape, &edge, extent) {
-                assert!(mesh.node_set(edge.name).is_err(), "{name} {}", edge.name);
+                assert!(mesh.node_set(&edge.name).is_err(), "{name} {}", edge.name);
                 continue;
             }
-            let set = mesh.node_set(edge.name).unwrap();
+            let set = mesh.node_set(&edge.name).unwrap();
             assert!(set.len() > 2, "{name} {}", edge.name);
-            assert!(mesh.edge_set(edge.name).is_ok(), "{name} {}", edge.name);
+            assert!(mesh.edge_set(&edge.name).is_ok(), "{name} {}", edge.name);
             for &node in set {
                 let error = distance(edge.curve, nodes[node]);
                 assert!(error < EXACT, "{name} {}: {error:e}", edge.name);
             }
         }
-        for &(point, [x, y]) in shape.points() {
-            let set = mesh.node_set(point).unwrap();
+        for (point, [x, y]) in shape.points() {
+            let set = mesh.node_set(&point).unwrap();
             assert_eq!(set.len(), 1, "{name} {point}");
             let at = nodes[set[0]];
             assert!((at[0] - x).hypot(at[1] - y) < EXACT, "{name} {point}");
@@ -241,7 +245,7 @@ fn edges_reach_the_ends_that_they_state() {
             if left_out(shape, &edge, extent) {
                 continue;
             }
-            let set = mesh.node_set(edge.name).unwrap();
+            let set = mesh.node_set(&edge.name).unwrap();
             for [x, y] in ends {
                 let kept = shape.mirror().is_none_or(|across| [x, y][across] >= 0.0);
                 if extent == Extent::Half && !kept {
@@ -330,11 +334,13 @@ fn normals_point_in_where_the_edge_says() {
             if left_out(shape, &edge, extent) || !edge.is_reportable() {
                 continue;
             }
-            let path = mesh.edge_path(edge.name).unwrap();
+            let path = mesh.edge_path(&edge.name).unwrap();
             let own = path.nodes[path.nodes.len() / 2 / path.order * path.order];
             let [x, y] = nodes[own];
             let normal = match edge.curve {
-                Curve::Circle { radius } => [x / radius, y / radius],
+                Curve::Circle { centre, radius } => {
+                    [(x - centre[0]) / radius, (y - centre[1]) / radius]
+                }
                 Curve::Arc { .. } | Curve::Segment { .. } => [0.0, 1.0],
             };
             let cells = (0..mesh.element_count()).map(|cell| mesh.element(cell).1);
@@ -358,7 +364,7 @@ fn keys_of_sizes_lead_to_the_sizes() {
     for (shape, text) in shapes().iter().zip(EXAMPLES) {
         let table: toml::Value = toml::from_str(text).unwrap();
         for edge in shape.edges() {
-            let Some(key) = edge.size else {
+            let Some(key) = edge.size.clone() else {
                 continue;
             };
             let value = key
@@ -366,7 +372,7 @@ fn keys_of_sizes_lead_to_the_sizes() {
                 .try_fold(&table, |table, name| table.get(name));
             let value: Quantity<Length> = value.unwrap().clone().try_into().unwrap();
             let size = match edge.curve {
-                Curve::Circle { radius } | Curve::Arc { radius, .. } => radius,
+                Curve::Circle { radius, .. } | Curve::Arc { radius, .. } => radius,
                 Curve::Segment { .. } => edge.level(0).or(edge.level(1)).unwrap().abs(),
             };
             assert_eq!(value.value(), size, "{key}");

@@ -159,13 +159,13 @@ fn load(sample: &Sample, body: &str, step: usize) -> Option<[f64; 2]> {
 /// Force on a body by a pressure of one on its edge.
 fn pushed(sample: &Sample, body: &str, set: &str) -> Option<[f64; 2]> {
     let thickness = sample.thickness(body)?;
-    let shape = sample.scene.bodies.get(body)?.shape;
+    let shape = &sample.scene.bodies.get(body)?.shape;
     // The resultant of a pressure on a cap depends on its arc, which this check leaves out, with what is under it.
     if shape.edge_with(Role::Cap).is_some() || shape.edge_with(Role::Surface).is_some() {
         return None;
     }
     match shape.edge(set)?.curve {
-        Curve::Circle { .. } => Some([0.0; 2]),
+        Curve::Circle { centre, .. } => Some(centre),
         Curve::Segment { ends: [from, to] } => {
             Some([(from[1] - to[1]) * thickness, (to[0] - from[0]) * thickness])
         }

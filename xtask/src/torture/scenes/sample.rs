@@ -148,7 +148,7 @@ impl Sample {
     /// The size of what touches `[mm]`: the largest hole, rim or half length.
     pub(super) fn size(&self) -> f64 {
         let sizes = self.scene.bodies.values().map(|body| {
-            let shape = body.shape;
+            let shape = &body.shape;
             let round = shape.edges().first().and_then(Edge::circle);
             let [low, high] = shape.bounds();
             let half = shape.mirror().is_some();

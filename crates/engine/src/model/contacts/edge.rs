@@ -131,7 +131,7 @@ impl EdgeNodes {
         let (along, normals) = self.path.into_iter().unzip();
         let thickness = body.thickness();
         // An edge beside the line of symmetry lies wholly in the half or wholly out of it.
-        let own = edge.edge.zip(body.shape.mirror());
+        let own = edge.edge.as_ref().zip(body.shape.mirror());
         let aside = own.and_then(|(own, across)| own.side(across));
         let half = half && aside.is_none();
         let bearing_area = match self.kind {

@@ -24,7 +24,7 @@ pub(super) enum Geometry {
 impl Geometry {
     pub(super) fn of(contact: &ContactPlan<'_>) -> Option<Self> {
         let [first, second] = &contact.sides;
-        let touch = first.edge?.touches(&second.edge?)?;
+        let touch = first.edge.as_ref()?.touches(second.edge.as_ref()?)?;
         Some(match touch {
             Touch::Circles {
                 radii: radii @ [radius, inner],

@@ -61,11 +61,11 @@ fn of_scene(
     };
     let hole = || found.shape.edge_with(Role::Hole);
     let edge = given.edge.clone();
-    let edge = edge.unwrap_or_else(|| hole().map_or("hole", |edge| edge.name).to_owned());
+    let edge = edge.unwrap_or_else(|| hole().map_or("hole".into(), |edge| edge.name).into_owned());
     let Some(radius) = found.shape.circle(&edge) else {
         let edges = found.shape.edges().into_iter();
         let round = edges.filter(|edge| edge.circle().is_some());
-        let known = round.map(|edge| edge.name.to_owned());
+        let known = round.map(|edge| edge.name.into_owned());
         return Err(refuse.undefined("circular edge", "specimen.edge", &edge, known));
     };
     let Substance::Elastic {
