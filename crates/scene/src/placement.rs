@@ -41,17 +41,23 @@ pub fn centre(scene: &Scene, body: &str) -> Point {
             break;
         };
         let aside = radii(scene, contact).map_or([0.0; 2], offset);
-        let hole = hole_centre(scene, &contact.first);
+        let hole = within(scene, &contact.first.body, &contact.first.set);
         sum = [0, 1].map(|axis| sum[axis] + (hole[axis] + aside[axis]));
         inner = &contact.first.body;
     }
     sum
 }
 
-/// Centre of the circle `on`, seen from that of its body `[mm]`.
-fn hole_centre(scene: &Scene, on: &SetRef) -> Point {
-    let body = scene.bodies.get(&on.body);
-    match body.and_then(|body| Some(body.shape.edge(&on.set)?.curve)) {
+/// Centre of the closed circle `edge` of `body` `[mm]`.
+pub fn circle_centre(scene: &Scene, body: &str, edge: &str) -> Point {
+    let (centre, within) = (centre(scene, body), within(scene, body, edge));
+    [0, 1].map(|axis| centre[axis] + within[axis])
+}
+
+/// Centre of the closed circle `edge`, seen from that of its body `[mm]`.
+fn within(scene: &Scene, body: &str, edge: &str) -> Point {
+    let body = scene.bodies.get(body);
+    match body.and_then(|body| Some(body.shape.edge(edge)?.curve)) {
         Some(Curve::Circle { centre, .. }) => centre,
         _ => [0.0; 2],
     }

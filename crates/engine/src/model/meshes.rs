@@ -66,6 +66,7 @@ pub(super) fn build(
         meshes.insert(index, Arc::new(mesh));
     }
     choices.extend(layers_chosen(&layers, counts));
+    choices.extend(cells_chosen(plan));
     check_together(plan, limits, &meshes)?;
     Ok(meshes)
 }
@@ -142,6 +143,22 @@ fn layers_chosen(layers: &[String], mut counts: Vec<usize>) -> Option<Choice> {
             "cells about as deep as wide, with {} angles on the contact circles",
             counts.join(" and ")
         ),
+    })
+}
+
+/// The cells of bodies that are not divided into those that the scene asks for.
+fn cells_chosen(plan: &Plan<'_>) -> Option<Choice> {
+    let of_body = |body: &BodyPlan<'_>| {
+        let asked = body.mesh.element;
+        let own = (body.shape.cells(asked)).filter(|own| *own != asked && body.series.is_none())?;
+        body.elastic?;
+        Some(format!("{} in '{}'", own.name(), body.name))
+    };
+    let chosen: Vec<String> = plan.bodies.iter().filter_map(of_body).collect();
+    (!chosen.is_empty()).then(|| Choice {
+        what: "cells".into(),
+        value: chosen.join(", "),
+        reason: "an outline is divided into triangles, with edges of the order that the scene asks for".into(),
     })
 }
 

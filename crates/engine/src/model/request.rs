@@ -8,7 +8,6 @@ use stickslip_scene::schema::{
     Analysis, Axes, Axis, Control, DisplayUnits, Failure, FieldOutput, Hold, LaminateSheet,
     Progressive, SetRef, Support,
 };
-use stickslip_scene::shape::Role;
 
 use super::load_table::LoadTable;
 use super::plan::Plan;
@@ -121,7 +120,7 @@ impl FailureRequest {
             };
             let mesh = elastic.mesh();
             let singular = singular(plan, index, mesh).map_err(mesh_error)?;
-            let edge = planned.shape.edge_with(Role::Hole).map(|edge| edge.name);
+            let edge = planned.shape.only_hole().map(|edge| edge.name);
             let hole = (edge.as_deref()).map(|set| region(mesh, set)).transpose();
             let hole = hole.map_err(mesh_error)?.flatten();
             let frame = edge.map_or(ContactFrame::NONE, |set| {

@@ -12,7 +12,6 @@ use crate::format::{
     CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, SceneFormat,
 };
 use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Substance};
-use crate::shape::Role;
 use crate::units::Quantity;
 
 impl Builder<'_> {
@@ -184,7 +183,7 @@ impl Builder<'_> {
 
     fn holes(&mut self, given: &FailureFormat, bodies: &[String]) {
         for (index, name) in bodies.iter().enumerate() {
-            let hole = |body: &Body| body.shape.edge_with(Role::Hole).is_some();
+            let hole = |body: &Body| body.shape.only_hole().is_some();
             if !self.bodies.get(name).is_some_and(hole) {
                 let key = match &given.bodies {
                     Some(_) => format!("failure.bodies.{index}"),

@@ -88,10 +88,19 @@ impl Builder<'_> {
     fn one_pin(&mut self, body: &str, around: &Surroundings<'_>) {
         let has_role = |edge: Edge| edge.role == Role::Hole;
         let hole = |set: &SetRef| set.body == body && self.edge_of(set).is_some_and(has_role);
-        let mut contacts = around.contacts.iter();
-        let touched = contacts.any(|pair| hole(&pair.first) || hole(&pair.second));
+        let contacts = around.contacts.iter();
+        let touched = contacts.filter(|pair| hole(&pair.first) || hole(&pair.second));
+        let touched: Vec<&str> = touched.map(|pair| pair.name.as_str()).collect();
+        if touched.len() > 1 {
+            let message = format!(
+                "a joint of one pin is followed, and '{body}' has the pins {}",
+                touched.join(", ")
+            );
+            let remedy = "remove failure.progressive, or all but one of these contacts";
+            self.conflict(TABLE, message, remedy);
+        }
         // A contact that could not be read may be the pin's, and several at one hole are refused as such.
-        if !touched && self.written("contacts") == around.contacts.len() {
+        if touched.is_empty() && self.written("contacts") == around.contacts.len() {
             let body = body.to_owned();
             let problem = LaminateProblem::NoPin { body };
             self.report(TABLE, Part::Key, problem.into());

@@ -68,6 +68,18 @@ pub trait Outline: fmt::Debug {
         self.edges().into_iter().find(|edge| edge.role == role)
     }
 
+    /// Its hole, if it has exactly one.
+    fn only_hole(&self) -> Option<Edge> {
+        let edges = self.edges().into_iter();
+        let mut holes = edges.filter(|edge| edge.role == Role::Hole);
+        holes.next().filter(|_| holes.next().is_none())
+    }
+
+    /// The kind of its cells where the scene asks for `asked`; `None` where it has none of that order.
+    fn cells(&self, asked: ElementKind) -> Option<ElementKind> {
+        Some(asked)
+    }
+
     /// Radius of the closed circle called `name`.
     fn circle(&self, name: &str) -> Option<f64> {
         self.edge(name)?.circle()
@@ -365,6 +377,12 @@ pub enum DivisionError {
     /// A cap without a surface, or a surface without a cap.
     #[error("a cap is divided together with the surface that it touches")]
     NoPartner,
+    /// Cells that the shape is not divided into.
+    #[error("an outline is divided into triangles with straight or quadratic edges, not into {kind}; give element = \"T6\"")]
+    NoCells {
+        /// Name of the kind that is asked for.
+        kind: &'static str,
+    },
     /// So many nodes that they are not counted exactly.
     #[error("the mesh would have about {nodes:.3e} nodes")]
     TooManyNodes {

@@ -201,7 +201,8 @@ impl Sweep {
     fn derived(&self, scene: &Scene, axis: usize, value: usize) -> Result<String, SceneError> {
         let own = &self.axes[axis];
         let body = scene.bodies.get(&self.plate);
-        let hole = body.and_then(|body| body.shape.edge_with(Role::Hole));
+        let touched = scene.contacts.get(self.contact).map(|own| &own.first);
+        let hole = touched.and_then(|on| scene.bodies.get(&on.body)?.shape.edge(&on.set));
         let Some(hole_radius) = hole.and_then(|hole| hole.circle()) else {
             return Err(self.needs(axis, "a plate with a hole"));
         };

@@ -11,7 +11,7 @@ use crate::diagnostic::{SceneError, SceneProblem, one_of};
 use crate::document::Part;
 use crate::experiment::format::{ExperimentFormat, HoleFormat, SpecimenFormat};
 use crate::experiment::{Hole, Specimen, SpecimenScene};
-use crate::placement::centre as centre_of;
+use crate::placement::circle_centre as centre_of;
 use crate::schema::Substance;
 use crate::shape::Role;
 use crate::{Format, Scene};
@@ -59,7 +59,7 @@ fn of_scene(
         let known = scene.bodies.keys().cloned();
         return Err(refuse.undefined("body", "specimen.body", &body, known));
     };
-    let hole = || found.shape.edge_with(Role::Hole);
+    let hole = || found.shape.only_hole();
     let edge = given.edge.clone();
     let edge = edge.unwrap_or_else(|| hole().map_or("hole".into(), |edge| edge.name).into_owned());
     let Some(radius) = found.shape.circle(&edge) else {
@@ -92,7 +92,7 @@ fn of_scene(
         plane,
         thickness,
         hole: Hole {
-            centre: centre_of(&own.scene, &own.body),
+            centre: centre_of(&own.scene, &own.body, &own.edge),
             radius,
         },
         model: Some(model_of(refuse, given, path, &own)?),
@@ -147,7 +147,8 @@ fn model_of(
     has_mesh(refuse, &scene)?;
     let circle = |scene: &Scene| {
         let body = scene.bodies.get(&own.body)?;
-        Some((centre_of(scene, &own.body), body.shape.circle(&own.edge)?))
+        let centre = centre_of(scene, &own.body, &own.edge);
+        Some((centre, body.shape.circle(&own.edge)?))
     };
     if circle(&scene) != circle(&own.scene) {
         return Err(refuse.conflict(
