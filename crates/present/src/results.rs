@@ -25,6 +25,7 @@ mod page;
 mod progressive;
 mod quantities;
 mod quantity;
+mod sharing;
 mod summary;
 mod tables;
 pub use findings::{findings_json, joint_sentence, quoted, sentence};

@@ -38,6 +38,11 @@ impl<'a> EdgeView<'a> {
         &self.results.steps[step].edges[self.index]
     }
 
+    /// Whether `other` is the same edge of the same results.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        self.index == other.index && std::ptr::eq(self.results, other.results)
+    }
+
     pub(super) fn results(&self) -> &'a Results {
         self.results
     }

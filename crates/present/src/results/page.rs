@@ -11,6 +11,7 @@ use super::failure::{self, FailureView};
 use super::figures::{Drawing, Group};
 use super::findings;
 use super::progressive::{self, ProgressiveView};
+use super::sharing;
 use super::tables::{self, Detail};
 use super::zones::{contact_ranges, stick_ranges};
 use stickslip_engine::LoadScale;
@@ -277,6 +278,7 @@ fn steps_section(results: &Results) -> Result<Section, PageError> {
             tables::stress_table(&edge, one_load)
         });
     }
+    section = (sharing::tables(results).into_iter()).fold(section, Section::with);
     if results.steps.len() > 1 {
         let text = single_steps(results).map(Block::Text);
         section = text.into_iter().fold(section, Section::with);

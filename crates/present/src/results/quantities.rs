@@ -10,6 +10,7 @@ use stickslip_text::{decimals, short, significant, tidy};
 
 use super::display::{EdgeView, energy_unit};
 use super::quantity::Quantity;
+use super::sharing::{is_shared, share};
 use crate::csv::number;
 
 /// One number of an edge.
@@ -32,6 +33,8 @@ enum ErrorOf {
     Stated(Stated),
     /// That of the resultant over the bearing area.
     BearingStress,
+    /// That of a share of the load.
+    Share,
 }
 
 impl ErrorOf {
@@ -39,6 +42,7 @@ impl ErrorOf {
         match self {
             Self::Stated(stated) => edge.step(step).errors.get(stated),
             Self::BearingStress => edge.bearing_error(step),
+            Self::Share => share(edge, step)?.error,
         }
     }
 }
@@ -60,6 +64,8 @@ enum Kind {
     Work,
     /// A stress over the bearing stress; in `summary.json` and full tables only.
     Ratio,
+    /// A part of a whole.
+    Part,
 }
 
 /// The edges that have a quantity.
@@ -74,7 +80,7 @@ enum Edges {
 
 // The path of a method names one lifetime of a view, a closure takes all.
 #[allow(clippy::redundant_closure_for_method_calls)]
-static QUANTITIES: [EdgeQuantity; 18] = [
+static QUANTITIES: [EdgeQuantity; 19] = [
     half("contact", |edge, step| edge.step(step).contact_half_extent).stated(Stated::ContactExtent),
     half("stick", |edge, step| edge.step(step).stick_half_extent).stated(Stated::StickExtent),
     slip("slip_away", |edge, step| {
@@ -140,6 +146,10 @@ static QUANTITIES: [EdgeQuantity; 18] = [
         (edge.geometry.contact).then_some(edge.step(step).normal_force)
     })
     .stated(Stated::NormalForce),
+    EdgeQuantity::new("load_share", Kind::Part, |edge, step| {
+        Some(share(edge, step)?.part)
+    })
+    .with_error(ErrorOf::Share),
     EdgeQuantity::new("friction_work", Kind::Work, |edge, step| {
         Some(edge.step(step).friction_work)
     })
@@ -250,6 +260,9 @@ impl EdgeQuantity {
         if self.name == "peak_hoop_uncertainty" && edge.results().ladder.is_some() {
             return false;
         }
+        if self.kind == Kind::Part && !is_shared(edge) {
+            return false;
+        }
         match self.edges {
             Edges::All => true,
             Edges::Contacts => edge.geometry.contact,
@@ -263,7 +276,7 @@ impl EdgeQuantity {
             Kind::Stress(_) => edge.units().stress.name,
             Kind::Force => edge.units().force.name,
             Kind::Place | Kind::Half | Kind::Slip => edge.place_unit(),
-            Kind::Ratio => "–",
+            Kind::Ratio | Kind::Part => "–",
         };
         name.into()
     }
@@ -279,7 +292,7 @@ impl EdgeQuantity {
             Kind::Force => edge.units().force.from_base(value),
             Kind::Work => edge.work(value),
             Kind::Place | Kind::Half | Kind::Slip => edge.length(value),
-            Kind::Ratio => value,
+            Kind::Ratio | Kind::Part => value,
         })
     }
 
@@ -292,6 +305,7 @@ impl EdgeQuantity {
             Kind::Force => edge.units().force.from_base(error),
             Kind::Place | Kind::Half | Kind::Slip => edge.length(error),
             Kind::Work => edge.work(error),
+            Kind::Part => error,
             Kind::Ratio => {
                 let own = ErrorOf::BearingStress.of(edge, step)?;
                 (error + shown.abs() * own) / edge.bearing(step)?
@@ -317,7 +331,7 @@ impl EdgeQuantity {
             Kind::Force | Kind::Work => digits(5),
             Kind::Place | Kind::Half | Kind::Slip if edge.is_circle() => decimals(value, 1),
             Kind::Place | Kind::Half | Kind::Slip => value.map_or("–".into(), short),
-            Kind::Ratio => decimals(value, 3),
+            Kind::Ratio | Kind::Part => decimals(value, 3),
         }
     }
 
@@ -359,7 +373,7 @@ impl SummaryQuantities {
             (Kind::Place | Kind::Half | Kind::Slip, _) if edge.is_circle() => {
                 (name + "_deg", Number::Plain(value.and_then(tidy)))
             }
-            (Kind::Ratio, _) | (_, None) => (name, Number::Plain(value.and_then(tidy))),
+            (Kind::Ratio | Kind::Part, _) | (_, None) => (name, Number::Plain(value.and_then(tidy))),
             (_, Some(value)) => (name, Number::Quantity(Quantity::new(value, own.unit(edge)))),
         };
         let entries = |own: &EdgeQuantity| {

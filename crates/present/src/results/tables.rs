@@ -14,6 +14,7 @@ use super::display::{EdgeView, even};
 use super::failure::{self, FailureView};
 use super::progressive::{self, ProgressiveView};
 use super::quantities::table_columns;
+use super::sharing;
 use super::zones::{contact_reach, stick_ranges};
 use fit::fitted;
 use stickslip_engine::LoadScale;
@@ -34,6 +35,9 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
     }
     for edge in contacts {
         text += &fitted(contact_table(edge, one_load, Detail::Brief), width);
+    }
+    for table in sharing::tables(results) {
+        text += &fitted(table, width);
     }
     if let Some(ladder) = ladder(results) {
         text.push('\n');
