@@ -53,6 +53,8 @@ pub struct Results {
     pub source: String,
     /// SHA-256 of the resolved scene.
     pub scene_hash: String,
+    /// The scene as text, with all defaults filled in.
+    pub scene: String,
     /// Units to show results in.
     pub units: DisplayUnits,
     /// What the program chose, and why.

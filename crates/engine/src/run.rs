@@ -338,6 +338,7 @@ fn reported(
         title: request.title.clone(),
         source: request.source.clone(),
         scene_hash: request.scene_hash.clone(),
+        scene: request.scene.clone(),
         units: request.units,
         choices,
         findings: findings(model, &solved, &geometries, &steps),

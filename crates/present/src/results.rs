@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `summary.json` | the numbers that other programs read |
 //! | `report.html` | everything for a reader, in one self-contained page |
+//! | `scene.toml` | the scene with all defaults filled in |
 //! | `steps.csv` | one row per load step |
 //! | `edge-NAME-step-NN.csv` | tractions, gaps, slip, status and stresses along an edge |
 //! | `failure-BODY.csv`, `first-ply-BODY.csv`, `plies-NAME-step-NN.csv`, … | failure of laminates, where the scene asks for it |
@@ -22,6 +23,7 @@ mod figures;
 mod findings;
 mod names;
 mod page;
+mod problem;
 mod progressive;
 mod quantities;
 mod quantity;
@@ -163,7 +165,12 @@ pub fn write(results: &Results, figures: bool, put: &PutFile<'_>) -> Result<Stri
 
 /// Writes tables and fields.
 fn write_tables(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {
-    let mut notes = csv_files::files(results, put)?;
+    let mut notes = Vec::new();
+    if !results.scene.is_empty() {
+        put("scene.toml", results.scene.as_bytes())?;
+        notes.push(FileNote::new("scene.toml", "the scene with all defaults filled in; data files that it names are relative to its first folder"));
+    }
+    notes.extend(csv_files::files(results, put)?);
     let (fields, field_notes) = vtk_files::files(results)?;
     notes.extend(field_notes);
     for (name, bytes) in &fields {

@@ -46,6 +46,13 @@ pub enum Block {
     Table(Table),
     /// A figure.
     Figure(Figure),
+    /// Text as a file has it, below its title.
+    Code {
+        /// What it is.
+        title: String,
+        /// Its lines.
+        text: String,
+    },
 }
 
 impl From<Prose> for Block {
@@ -184,6 +191,9 @@ fn section_value(number: usize, section: &Section) -> Result<Value, PageError> {
             }
             Block::Table(table) => blocks.push(table_value(table)),
             Block::Figure(figure) => blocks.push(figure_value(figure)),
+            Block::Code { title, text } => {
+                blocks.push(context! { kind => "code", title, text });
+            }
         }
     }
     // A colon keeps these apart from the anchors of figures.

@@ -158,7 +158,9 @@ fn cells_chosen(plan: &Plan<'_>) -> Option<Choice> {
     (!chosen.is_empty()).then(|| Choice {
         what: "cells".into(),
         value: chosen.join(", "),
-        reason: "an outline is divided into triangles, with edges of the order that the scene asks for".into(),
+        reason:
+            "an outline is divided into triangles, with edges of the order that the scene asks for"
+                .into(),
     })
 }
 

@@ -24,6 +24,8 @@ pub struct Request {
     pub source: String,
     /// SHA-256 of the resolved scene.
     pub scene_hash: String,
+    /// The scene as text, with all defaults filled in.
+    pub scene: String,
     /// Units to show results in.
     pub units: DisplayUnits,
     /// How the scene asks to be solved.
@@ -87,6 +89,7 @@ impl Request {
             title: scene.title.clone(),
             source: scene.source_name.clone(),
             scene_hash: scene.hash.clone(),
+            scene: scene.resolved().to_owned(),
             units: scene.display,
             analysis: scene.analysis,
             fields: scene.output.fields,

@@ -10,6 +10,7 @@ use super::display::shared;
 use super::failure::{self, FailureView};
 use super::figures::{Drawing, Group};
 use super::findings;
+use super::problem;
 use super::progressive::{self, ProgressiveView};
 use super::sharing;
 use super::tables::{self, Detail};
@@ -59,6 +60,7 @@ pub(super) fn page(
     let modelled = (tables::ladder(results).into_iter().chain(modelled))
         .fold(Section::new("How it was modelled"), Section::with);
     let signs = Section::new("Signs and names").with(tables::signs_table());
+    page.sections.extend(problem::section(results));
     page.sections.extend([modelled, signs, file_section(files)]);
     page.footer = format!(
         "stickslip {} · scene {}",

@@ -373,7 +373,9 @@ impl SummaryQuantities {
             (Kind::Place | Kind::Half | Kind::Slip, _) if edge.is_circle() => {
                 (name + "_deg", Number::Plain(value.and_then(tidy)))
             }
-            (Kind::Ratio | Kind::Part, _) | (_, None) => (name, Number::Plain(value.and_then(tidy))),
+            (Kind::Ratio | Kind::Part, _) | (_, None) => {
+                (name, Number::Plain(value.and_then(tidy)))
+            }
             (_, Some(value)) => (name, Number::Quantity(Quantity::new(value, own.unit(edge)))),
         };
         let entries = |own: &EdgeQuantity| {

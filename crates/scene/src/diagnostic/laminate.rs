@@ -142,7 +142,9 @@ pub enum LaminateProblem {
         body: String,
     },
     /// Characteristic distances without a hole.
-    #[error("characteristic distances are measured from the hole of a body, and '{body}' does not have exactly one")]
+    #[error(
+        "characteristic distances are measured from the hole of a body, and '{body}' does not have exactly one"
+    )]
     #[diagnostic(
         code(scene::characteristic),
         help("leave '{body}' out of failure.bodies, or remove [failure.characteristic]")

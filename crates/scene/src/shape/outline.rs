@@ -378,7 +378,9 @@ pub enum DivisionError {
     #[error("a cap is divided together with the surface that it touches")]
     NoPartner,
     /// Cells that the shape is not divided into.
-    #[error("an outline is divided into triangles with straight or quadratic edges, not into {kind}; give element = \"T6\"")]
+    #[error(
+        "an outline is divided into triangles with straight or quadratic edges, not into {kind}; give element = \"T6\""
+    )]
     NoCells {
         /// Name of the kind that is asked for.
         kind: &'static str,

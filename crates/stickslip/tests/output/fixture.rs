@@ -35,6 +35,7 @@ pub(crate) fn results() -> Results {
         title: "A <plate> & its pin".into(),
         source: "plate.toml".into(),
         scene_hash: "0123abcd".into(),
+        scene: "version = 1\n".into(),
         units: units("in", "lbf", "psi"),
         choices: vec![Choice {
             what: "model".into(),
