@@ -1,6 +1,6 @@
 //! The mesh of a triangulation and its rings.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use stickslip_fem_core::mesh::{
     Curve, EdgeRef, EdgeSet, ElementBlock, ElementKind, Mesh, MeshParts, Point,
@@ -61,6 +61,7 @@ pub(crate) fn assembled(
         set.curve.get_or_insert(moved(rim.curve, division.centre));
         set.edges.extend(edges.get(&rim.ends));
     }
+    let node_sets = on_edges(&edge_sets, division.kind, &connectivity);
     let nodes = corners.points.into_iter();
     Ok(Mesh::new(MeshParts {
         nodes: nodes.map(|p| along(p, 1.0, division.centre)).collect(),
@@ -69,9 +70,34 @@ pub(crate) fn assembled(
             kind: division.kind,
             connectivity,
         }],
+        node_sets,
         edge_sets,
         ..MeshParts::default()
     })?)
+}
+
+/// The nodes of each edge set, ascending.
+fn on_edges(
+    edge_sets: &BTreeMap<String, EdgeSet>,
+    kind: ElementKind,
+    connectivity: &[usize],
+) -> BTreeMap<String, Vec<usize>> {
+    let nodes = |edge: &EdgeRef| {
+        let cell = &connectivity[edge.element * kind.nodes()..][..kind.nodes()];
+        let local = kind.edge_nodes(edge.edge);
+        let inner = cell[local.inner].iter().copied();
+        local
+            .ends
+            .map(|k| cell[k])
+            .into_iter()
+            .chain(inner)
+            .collect::<Vec<_>>()
+    };
+    let of_set = |(name, set): (&String, &EdgeSet)| {
+        let all: BTreeSet<usize> = set.edges.iter().flat_map(nodes).collect();
+        (name.clone(), all.into_iter().collect())
+    };
+    edge_sets.iter().map(of_set).collect()
 }
 
 fn moved(curve: Curve, by: Point) -> Curve {
@@ -91,8 +117,11 @@ impl<'a> Corners<'a> {
             triangles: refinement.triangles(),
             rims: Vec::new(),
         };
-        let mut outer: Vec<Vec<usize>> =
-            plan.rings.iter().map(|ring| vec![0; ring.angles.len()]).collect();
+        let mut outer: Vec<Vec<usize>> = plan
+            .rings
+            .iter()
+            .map(|ring| vec![0; ring.angles.len()])
+            .collect();
         for segment in refinement.segments() {
             match segment.origin {
                 Origin::Piece {

@@ -113,8 +113,9 @@ impl Track {
     /// Unit vectors along the walk at its beginning and end.
     pub(crate) fn tangents(&self) -> [Point; 2] {
         match self.bend {
-            Some(b) => [b.start, b.start + b.sweep]
-                .map(|angle| unit(angle + FRAC_PI_2.copysign(b.sweep))),
+            Some(b) => {
+                [b.start, b.start + b.sweep].map(|angle| unit(angle + FRAC_PI_2.copysign(b.sweep)))
+            }
             None => [minus(self.to, self.from).map(|c| c / self.length); 2],
         }
     }
@@ -196,9 +197,9 @@ impl Track {
                 distance(a.centre, b.centre) <= tolerance
                     && (a.radius - b.radius).abs() <= tolerance
             }
-            (None, None) => [other.from, other.to].into_iter().all(|p| {
-                orient(self.from, self.to, p).abs() <= tolerance * self.length
-            }),
+            (None, None) => [other.from, other.to]
+                .into_iter()
+                .all(|p| orient(self.from, self.to, p).abs() <= tolerance * self.length),
             _ => false,
         }
     }

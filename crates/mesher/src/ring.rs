@@ -65,9 +65,8 @@ impl Ring {
         let wanted = hole.layers.unwrap_or(LAYERS);
         let fitting = (1..=wanted).rev().find_map(|layers| {
             let thickness = thickness(hole, &widths, &limits, layers);
-            let enough = |(t, width): (&f64, &f64)| {
-                *t >= THINNEST * layers as f64 * hole.radius * width
-            };
+            let enough =
+                |(t, width): (&f64, &f64)| *t >= THINNEST * layers as f64 * hole.radius * width;
             let fits = thickness.iter().zip(&widths).all(enough);
             fits.then_some((layers, thickness))
         });

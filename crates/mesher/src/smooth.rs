@@ -36,7 +36,9 @@ fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>)
             continue;
         }
         let worst = |at: Point| {
-            let angles = star.iter().map(|&[a, b]| least_angle([at, points[a], points[b]]));
+            let angles = star
+                .iter()
+                .map(|&[a, b]| least_angle([at, points[a], points[b]]));
             angles.fold(f64::INFINITY, f64::min)
         };
         let now = points[node];

@@ -222,9 +222,7 @@ impl<'a> Refinement<'a> {
         for _ in 0..WALK {
             let leaves = face.adjacent_edges().into_iter().find(|edge| {
                 let [p, q] = edge.positions().map(plain);
-                orient(p, q, to) < 0.0
-                    && orient(start, to, p) <= 0.0
-                    && orient(start, to, q) >= 0.0
+                orient(p, q, to) < 0.0 && orient(start, to, p) <= 0.0 && orient(start, to, q) >= 0.0
             });
             let Some(edge) = leaves else {
                 return Found::Face(face.fix());
@@ -321,7 +319,9 @@ impl<'a> Refinement<'a> {
             return Ok(false);
         }
         let handles = segment.ends.map(FixedVertexHandle::from_index);
-        let edge = self.delaunay.get_edge_from_neighbors(handles[0], handles[1]);
+        let edge = self
+            .delaunay
+            .get_edge_from_neighbors(handles[0], handles[1]);
         let Some(edge) = edge.map(|edge| edge.as_undirected().fix()) else {
             return Ok(false);
         };
@@ -415,6 +415,12 @@ fn plain(position: Point2<f64>) -> Point {
 
 /// The position of a node; what is too small for the exact predicates is 0 there.
 fn position(point: Point) -> Point2<f64> {
-    let [x, y] = point.map(|c| if c.abs() < spade::MIN_ALLOWED_VALUE { 0.0 } else { c });
+    let [x, y] = point.map(|c| {
+        if c.abs() < spade::MIN_ALLOWED_VALUE {
+            0.0
+        } else {
+            c
+        }
+    });
     Point2::new(x, y)
 }

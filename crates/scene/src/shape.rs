@@ -5,6 +5,7 @@
 //! | [`Strip`]        | `shape.plate_with_hole.outline.strip`  | a rectangular plate around a hole                 |
 //! | [`Ring`]         | `shape.plate_with_hole.outline.ring`   | a plate between two circles                       |
 //! | [`Disk`]         | `shape.disk`                           | a pin                                             |
+//! | [`Profile`]      | `shape.outline`                        | lines and arcs with any number of holes           |
 //! | [`Rectangle`]    | `shape.rectangle`                      | a coupon                                          |
 //! | [`Block`]        | `shape.block`                          | stands for the half-plane below a line contact    |
 //! | [`Cylinder`]     | `shape.cylinder`                       | the cap above it                                  |
@@ -18,6 +19,7 @@ mod disk;
 mod hole;
 mod line_contact;
 mod outline;
+mod profile;
 mod rectangle;
 mod ring;
 mod strip;
@@ -130,6 +132,7 @@ shapes! {
         "ring" => ring::Ring,
     others:
         "disk" => disk::Disk,
+        "outline" => profile::Profile,
         "rectangle" => rectangle::Rectangle,
         "block" => block::Block,
         "cylinder" => cylinder::Cylinder,
@@ -137,7 +140,7 @@ shapes! {
 
 /// The tables of keys of all shapes.
 pub(crate) fn tables() -> impl Iterator<Item = Table> {
-    TABLES.iter().copied()
+    TABLES.iter().chain(profile::TABLES).copied()
 }
 
 /// `shape.plate_with_hole = { … }`: a hole and what surrounds it.

@@ -7,7 +7,6 @@ use stickslip_fem_core::mesh::Point;
 
 use super::{Contour, Hole};
 use crate::ContourError;
-use crate::curve::Track;
 use crate::plan::Outline;
 use crate::vector::distance;
 

@@ -207,4 +207,8 @@ impl Sizes for Builder<'_> {
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str) {
         self.out_of_range(key, size.text(), allowed);
     }
+
+    fn conflict(&mut self, key: &str, message: String, remedy: &str) {
+        Builder::conflict(self, key, message, remedy);
+    }
 }

@@ -21,24 +21,24 @@ fn names(table: &Table) -> BTreeSet<String> {
 
 /// What the reader says of a scene that holds nothing but `value` in `table`.
 fn refusal(table: &Table, value: Value) -> SceneProblem {
-    let is_list = |name: &str| {
-        let top = declared(name).map(|key| key.kind.to_string());
-        top.as_deref() == Some("list of tables")
+    let is_list = |key: &str| {
+        let kind = declared(key).map(|key| key.kind.to_string());
+        kind.as_deref() == Some("list of tables")
     };
     let path: Vec<&str> = table
         .path
         .split('.')
         .filter(|name| !name.is_empty())
         .collect();
-    let inside = |value: Value, name: &&str| json!({ *name: value });
-    let scene = match path.split_first() {
-        None => value,
-        Some((top, rest)) => {
-            let below = rest.iter().rev().fold(value, inside);
-            let below = if is_list(top) { json!([below]) } else { below };
-            inside(below, top)
-        }
+    let inside = |value: Value, depth: usize| {
+        let value = if is_list(&path[..=depth].join(".")) {
+            json!([value])
+        } else {
+            value
+        };
+        json!({ path[depth]: value })
     };
+    let scene = (0..path.len()).rev().fold(value, inside);
     let error = SceneFormat::deserialize(Reader::new(&scene, "")).unwrap_err();
     *error.problem
 }

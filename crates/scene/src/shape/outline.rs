@@ -131,6 +131,25 @@ pub enum Curve {
 }
 
 impl Curve {
+    /// The arc from `from` through `through` to `to`; `None` where they lie on a line.
+    pub(super) fn through(from: Point, through: Point, to: Point) -> Option<Self> {
+        // About the first point, whose distance from the centre is the radius.
+        let [[ax, ay], [bx, by]] = [through, to].map(|at| [at[0] - from[0], at[1] - from[1]]);
+        let twice_area = ax * by - ay * bx;
+        let (a, b) = (ax * ax + ay * ay, bx * bx + by * by);
+        let aside = [(by * a - ay * b), (ax * b - bx * a)].map(|part| 0.5 * part / twice_area);
+        let centre = [from[0] + aside[0], from[1] + aside[1]];
+        let angle = |at: Point| (at[1] - centre[1]).atan2(at[0] - centre[0]);
+        let ahead = (angle(to) - angle(from)).rem_euclid(TAU);
+        let turn = if twice_area > 0.0 { ahead } else { ahead - TAU };
+        (centre[0].is_finite() && centre[1].is_finite()).then_some(Self::Arc {
+            centre,
+            radius: aside[0].hypot(aside[1]),
+            ends: [from, to],
+            turn,
+        })
+    }
+
     /// The least and the greatest coordinate along `axis` (0 for x, 1 for y).
     fn range(&self, axis: usize) -> [f64; 2] {
         let points = match *self {
@@ -400,6 +419,9 @@ pub enum DivisionError {
 pub(crate) trait Sizes {
     /// Reports the size at `key`, which is not what is `allowed`.
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str);
+
+    /// Reports that what stands at `key` does not fit together, as `message` says.
+    fn conflict(&mut self, key: &str, message: String, remedy: &str);
 }
 
 #[cfg(test)]

@@ -1,0 +1,291 @@
+//! `outline`: a body between lines and arcs, with circular holes anywhere in it.
+//!
+//! ```text
+//!              top
+//!      ┌──────────────────╮
+//!      │                   ╲
+//! left │     a       b      │ end      edges follow one another counter-clockwise, each from the
+//!      │                   ╱           end of the one before; the last one closes the outline
+//!      └──────────────────╯
+//!    start    bottom
+//! ```
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::generate::{Extent, uniform_angles};
+use stickslip_fem_core::mesh::{ElementKind, Point};
+use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
+
+use super::hole::MESH_KEYS;
+use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::declaration::{
+    Key, NONE, POSITIVE, REQUIRED, Table, length, lists, tables_of, text, words,
+};
+use crate::document::child;
+use crate::units::{Length, Quantity};
+
+const NAME: &str = "outline";
+
+pub(super) const MEANING: &str = "lines and arcs around a body, with circular holes anywhere in it; edges and holes as they are named";
+
+#[rustfmt::skip]
+pub(super) const ROWS: &[Key] = &[
+    words("start", "two lengths", REQUIRED, r#"["-60 mm", "-20 mm"]"#, "where the first edge begins"),
+    lists("edges", REQUIRED, "the edges, counter-clockwise, each from the end of the one before"),
+    tables_of("holes", NONE, "circular holes by name"),
+];
+
+/// The tables inside.
+#[rustfmt::skip]
+pub(super) const TABLES: &[Table] = &[
+    Table::new("bodies.NAME.shape.outline.edges", &[
+        text("name", REQUIRED, r#""end""#, "name of the edge, a different one for each"),
+        words("to", "two lengths", "`start`, of the last edge", r#"["40 mm", "20 mm"]"#, "where it ends"),
+        words("through", "two lengths", "a straight edge", r#"["60 mm", "0 mm"]"#, "a point between its ends, which makes it an arc"),
+    ]),
+    Table::new("bodies.NAME.shape.outline.holes.NAME", &[
+        words("centre", "two lengths", REQUIRED, r#"["40 mm", "0 mm"]"#, "its centre"),
+        length("radius", REQUIRED, r#""5 mm""#, "its radius").range(POSITIVE),
+    ]),
+];
+
+/// A place as a scene writes it.
+type Place = [Quantity<Length>; 2];
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Keys {
+    start: Place,
+    edges: Vec<EdgeKeys>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    holes: BTreeMap<String, HoleKeys>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct EdgeKeys {
+    name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    to: Option<Place>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    through: Option<Place>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct HoleKeys {
+    centre: Place,
+    radius: Quantity<Length>,
+}
+
+#[cfg(test)]
+pub(super) const EXAMPLE: &str = r#"outline = { start = ["-30 mm", "-10 mm"], edges = [{ name = "bottom", to = ["8 mm", "-10 mm"] }, { name = "end", to = ["8 mm", "10 mm"], through = ["18 mm", "0 mm"] }, { name = "top", to = ["-30 mm", "10 mm"] }, { name = "left" }], holes.bolt = { centre = ["7 mm", "1 mm"], radius = "5 mm" } }"#;
+
+impl Keys {
+    pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Profile {
+        let Self {
+            start,
+            edges,
+            holes,
+        } = self;
+        let begin = place(start);
+        let inner = edges.len().saturating_sub(1);
+        for (index, edge) in edges[..inner].iter().enumerate() {
+            if edge.to.is_none() {
+                let message = format!("edge '{}' has no end", edge.name);
+                let remedy = "add to = [\"40 mm\", \"20 mm\"]; only the last edge may leave it out";
+                sizes.conflict(&child(table, format!("edges.{index}")), message, remedy);
+            }
+        }
+        let piece = |edge: &EdgeKeys| Piece {
+            name: edge.name.clone(),
+            to: edge.to.as_ref().map_or(begin, place),
+            through: edge.through.as_ref().map(place),
+        };
+        let hole = |(name, hole): (&String, &HoleKeys)| Hole {
+            name: name.clone(),
+            centre: place(&hole.centre),
+            radius: hole.radius.value(),
+            angles: uniform_angles(Extent::Whole, 12),
+            layers: None,
+        };
+        let contour = Contour {
+            start: begin,
+            pieces: edges.iter().map(piece).collect(),
+            holes: holes.iter().map(hole).collect(),
+        };
+        let own = Profile { contour };
+        own.refuse_defects(table, sizes);
+        own
+    }
+}
+
+fn place(at: &Place) -> Point {
+    [at[0].value(), at[1].value()]
+}
+
+/// Lines and arcs around a body, with circular holes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    /// Its edges and holes; the angles of holes are those of a mesh.
+    pub contour: Contour,
+}
+
+impl Profile {
+    /// Reports what does not bound a body, or bounds it by two edges of one name.
+    fn refuse_defects(&self, table: &str, sizes: &mut dyn Sizes) {
+        let names = self.edges().into_iter().map(|edge| edge.name);
+        let mut names: Vec<_> = names.collect();
+        names.sort_unstable();
+        if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+            let message = format!("two edges are called '{}'", twice[0]);
+            let remedy = "give each edge and each hole a name of its own";
+            sizes.conflict(&child(table, "edges"), message, remedy);
+        } else if let Err(defect) = self.contour.check() {
+            let key = child(table, self.key_of(&defect));
+            sizes.conflict(&key, defect.to_string(), remedy(&defect));
+        }
+    }
+
+    /// The key below the shape's table that a defect is shown at.
+    fn key_of(&self, defect: &ContourError) -> String {
+        let edge = |name: &str| {
+            let index = (self.contour.pieces.iter()).position(|piece| piece.name == name);
+            index.map_or("edges".to_owned(), |index| format!("edges.{index}"))
+        };
+        match defect {
+            ContourError::Open { piece, .. }
+            | ContourError::ZeroLength { piece, .. }
+            | ContourError::StraightArc { piece } => edge(piece),
+            ContourError::Crossing { second, .. } | ContourError::Cusp { second, .. } => {
+                edge(second)
+            }
+            ContourError::HoleOutside { hole, .. } | ContourError::HoleCrosses { hole, .. } => {
+                format!("holes.{hole}")
+            }
+            ContourError::HolesOverlap { second, .. } => format!("holes.{second}"),
+            _ => "edges".to_owned(),
+        }
+    }
+}
+
+/// What to do about a defect; its coordinates are in mm.
+fn remedy(defect: &ContourError) -> &'static str {
+    match defect {
+        ContourError::Open { .. } => {
+            "leave out `to` of the last edge, which then closes the outline; numbers are in mm"
+        }
+        ContourError::Clockwise { .. } => {
+            "list the edges counter-clockwise, with the body on their left"
+        }
+        ContourError::StraightArc { .. } => {
+            "give a point beside the line between its ends, or remove `through`"
+        }
+        ContourError::HoleOutside { .. }
+        | ContourError::HoleCrosses { .. }
+        | ContourError::HolesOverlap { .. } => {
+            "move the hole or give it a smaller radius; numbers are in mm"
+        }
+        _ => "change the edges; coordinates are in mm",
+    }
+}
+
+impl Outline for Profile {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn edges(&self) -> Vec<Edge> {
+        let hole = |hole: &Hole| Edge {
+            name: Cow::Owned(hole.name.clone()),
+            curve: Curve::Circle {
+                centre: hole.centre,
+                radius: hole.radius,
+            },
+            role: Role::Hole,
+            size: Some(format!("{NAME}.holes.{}.radius", hole.name).into()),
+        };
+        let begins = std::iter::once(self.contour.start);
+        let begins = begins.chain(self.contour.pieces.iter().map(|piece| piece.to));
+        let edge = |(piece, from): (&Piece, Point)| Edge {
+            name: Cow::Owned(piece.name.clone()),
+            curve: (piece.through)
+                .and_then(|through| Curve::through(from, through, piece.to))
+                .unwrap_or(Curve::Segment {
+                    ends: [from, piece.to],
+                }),
+            role: Role::Free,
+            size: None,
+        };
+        let holes = self.contour.holes.iter().map(hole);
+        holes
+            .chain(self.contour.pieces.iter().zip(begins).map(edge))
+            .collect()
+    }
+
+    fn bounds(&self) -> [Point; 2] {
+        self.contour.bounds()
+    }
+
+    fn mirror(&self) -> Option<usize> {
+        None
+    }
+
+    fn mesh_keys(&self) -> &'static [&'static str] {
+        if self.contour.holes.is_empty() {
+            &["spacing"]
+        } else {
+            MESH_KEYS
+        }
+    }
+
+    /// Triangles of the order that is asked for.
+    fn cells(&self, asked: ElementKind) -> Option<ElementKind> {
+        match asked.order() {
+            1 => Some(ElementKind::T3),
+            2 => Some(ElementKind::T6),
+            _ => None,
+        }
+    }
+
+    fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
+        let kind = self.cells(divided.kind).ok_or(DivisionError::NoCells {
+            kind: divided.kind.name(),
+        })?;
+        let mut contour = self.contour.clone();
+        for hole in &mut contour.holes {
+            hole.angles = divided.angles.to_vec();
+            hole.layers = divided.layers;
+        }
+        let division = stickslip_mesher::Division {
+            kind,
+            spacing: divided.spacing,
+            centre: divided.centre,
+            ..stickslip_mesher::Division::default()
+        };
+        Ok(Meshing {
+            generator: Box::new(ContourMesh { contour, division }),
+            layers: None,
+        })
+    }
+
+    fn describe(&self, show: &dyn Fn(f64) -> String) -> String {
+        let [low, high] = self.bounds();
+        let holes: Vec<String> = (self.contour.holes.iter())
+            .map(|hole| format!("'{}' of radius {}", hole.name, show(hole.radius)))
+            .collect();
+        let holes = if holes.is_empty() {
+            String::new()
+        } else {
+            format!(", with the holes {}", holes.join(", "))
+        };
+        format!(
+            "outline of {} edges, {} by {}{holes}",
+            self.contour.pieces.len(),
+            show(high[0] - low[0]),
+            show(high[1] - low[1]),
+        )
+    }
+}
