@@ -70,4 +70,4 @@ pub use body::{
 };
 pub use interface::{GivenBody, GivenBodyError, InterfaceOperator, Misfit, RigidBody};
 pub use points::QuadraturePoints;
-pub use support::{HeldDirection, Platen, Support};
+pub use support::{HeldDirection, Platen, SectionHold, Support};

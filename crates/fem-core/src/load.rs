@@ -5,8 +5,8 @@
 //! ```
 
 use crate::element::{
-    EdgeValues, Element, KindVisitor, edge_rule, edge_shape, edge_slope, gather, thermal_load,
-    with_element,
+    EdgeValues, Element, KindVisitor, edge_rule, edge_shape, edge_slope, gather,
+    physical_gradients, thermal_load, with_element,
 };
 use crate::material::PlaneStiffness;
 use crate::mesh::{EdgeRef, Mesh, Point};
@@ -61,6 +61,39 @@ pub fn edge_load(
         }
     }
     forces
+}
+
+/// Computes the part ∫ N_a dA `[length²]` that each node has of the body's area.
+pub fn area_load(mesh: &Mesh) -> Vec<f64> {
+    struct Visit<'a> {
+        mesh: &'a Mesh,
+        connectivity: &'a [usize],
+        areas: &'a mut [f64],
+    }
+    impl KindVisitor for Visit<'_> {
+        type Output = ();
+        fn visit<const N: usize, E: Element<N>>(self) {
+            for cell in self.connectivity.chunks_exact(N) {
+                let x = gather::<N>(self.mesh.nodes(), cell);
+                for point in E::QUADRATURE {
+                    let weight = point.weight * physical_gradients::<N, E>(&x, point.at).det;
+                    for (&node, shape) in cell.iter().zip(E::shape(point.at)) {
+                        self.areas[node] += weight * shape;
+                    }
+                }
+            }
+        }
+    }
+    let mut areas = vec![0.0; mesh.nodes().len()];
+    for block in mesh.blocks() {
+        let visit = Visit {
+            mesh,
+            connectivity: &block.connectivity,
+            areas: &mut areas,
+        };
+        with_element(block.kind, visit);
+    }
+    areas
 }
 
 /// Forces `[force]` on all nodes, interleaved, of one initial strain (ε_xx, ε_yy, γ_xy) per block, with the blocks'

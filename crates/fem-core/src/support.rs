@@ -1,4 +1,4 @@
-//! Supports: directions in which nodes are held, also skew to the axes, and platens that carry an edge.
+//! Supports: directions in which nodes are held, also skew to the axes, platens that carry an edge, and holds of a whole section.
 
 /// Direction in which a support holds its nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,4 +40,13 @@ pub struct Platen {
     pub nodes: Vec<usize>,
     /// Whether the platen moves freely along x and along y.
     pub free: [bool; 2],
+}
+
+/// Holds the mean displacement of a body over its area, by a reaction that is spread evenly over it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionHold {
+    /// Whether the mean along x and along y is held.
+    pub held: [bool; 2],
+    /// Its values `[length]`, scaled by the load case that drives the supports.
+    pub displacement: [f64; 2],
 }

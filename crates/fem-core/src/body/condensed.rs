@@ -1,6 +1,7 @@
 //! A finite-element body condensed to its contact nodes.
 
 mod balance;
+mod section;
 mod unknowns;
 
 use std::sync::Arc;
@@ -15,6 +16,7 @@ use crate::interface::InterfaceOperator;
 use crate::linalg::{SparseCholesky, invert_from_cholesky, solve_lower_transposed};
 use crate::load::initial_strain_load;
 use crate::mesh::Point;
+use section::Section;
 
 pub use balance::BodyBalance;
 
@@ -33,6 +35,7 @@ pub struct CondensedBody {
     case_forces: Vec<Option<Vec<f64>>>,
     responses: Vec<Option<DVector<f64>>>,
     mode_loads: Vec<DVector<f64>>,
+    section: Option<Section>,
 }
 
 impl ElasticBody {
@@ -79,11 +82,13 @@ impl CondensedBody {
             case_forces: Vec::new(),
             responses: Vec::new(),
             mode_loads: Vec::new(),
+            section: None,
             body,
             structure,
             factor,
         };
         condensed.add_load_cases(&assembled.support_forces, &lower);
+        condensed.hold_section()?;
         Ok(condensed)
     }
 
@@ -217,26 +222,40 @@ impl CondensedBody {
                 equation => unknowns[equation as usize],
             });
             let mut at_node = constraint.to_global(local);
-            if !motions.is_empty() {
+            if !motions.is_empty() && self.section.is_none() {
                 let rigid = structure.motions.at(&self.body.mesh, node) * &motions;
                 at_node = [at_node[0] + rigid[0], at_node[1] + rigid[1]];
             }
             u[2 * node..2 * node + 2].copy_from_slice(&at_node);
+        }
+        if let Some(section) = &self.section {
+            let amounts = section.amounts(&u, support_scale, &motions);
+            let rigid = self.all_rigid_displacements(&amounts);
+            let both = u.iter_mut().zip(rigid);
+            both.for_each(|(sum, part)| *sum += part);
         }
         u
     }
 
     /// Displacements of all nodes `[length]`, interleaved, by the free rigid motions with the amounts `motions` (f).
     pub fn rigid_displacements(&self, motions: &[f64]) -> Vec<f64> {
-        let structure = &self.structure;
         let motions = DVector::from_column_slice(motions);
+        match &self.section {
+            Some(section) => self.all_rigid_displacements(&section.of_free(&motions)),
+            None => self.all_rigid_displacements(&motions),
+        }
+    }
+
+    /// The same by all rigid motions that supports leave, also those in which the section is held.
+    fn all_rigid_displacements(&self, motions: &DVector<f64>) -> Vec<f64> {
+        let structure = &self.structure;
         let count = structure.equations.len();
         if motions.is_empty() {
             return vec![0.0; 2 * count];
         }
         (0..count)
             .flat_map(|node| {
-                let at_node = structure.motions.at(&self.body.mesh, node) * &motions;
+                let at_node = structure.motions.at(&self.body.mesh, node) * motions;
                 [at_node[0], at_node[1]]
             })
             .collect()
@@ -274,8 +293,25 @@ impl CondensedBody {
             for (force, sum) in self.applied_forces(state).iter().zip(residual.iter_mut()) {
                 *sum -= force;
             }
+            for (force, sum) in self.section_forces(state).iter().zip(residual) {
+                *sum -= force;
+            }
         }
         residuals
+    }
+
+    /// Nodal forces `[force]`, interleaved, by which the section is held; empty where it is not.
+    fn section_forces(&self, state: &BodyLoad<'_>) -> Vec<f64> {
+        let Some(section) = &self.section else {
+            return Vec::new();
+        };
+        let mut held = vec![0.0; 2 * self.structure.equations.len()];
+        let reactions = section.reactions(state.forces, state.multipliers);
+        for (forces, reaction) in section.nodal.iter().zip(reactions.iter()) {
+            let both = held.iter_mut().zip(forces);
+            both.for_each(|(sum, force)| *sum += reaction * force);
+        }
+        held
     }
 
     /// Nodal forces `[force]`, interleaved, of load cases and interface; without those of initial strains, which balance
@@ -312,6 +348,9 @@ impl CondensedBody {
                     side[structure.equations[node][axis] as usize] += local[axis];
                 }
             }
+        }
+        if let Some(section) = &self.section {
+            section.add(&section.reactions(forces, multipliers), &mut side);
         }
         side
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::error::BodyError;
 use crate::material::{Material, PlaneStiffness};
 use crate::mesh::Mesh;
-use crate::support::{Platen, Support};
+use crate::support::{Platen, SectionHold, Support};
 
 /// One unit load on a body; a load history multiplies it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,6 +27,7 @@ pub struct ElasticBody {
     pub(super) thickness: f64,
     pub(super) supports: Vec<Support>,
     pub(super) platen: Option<Platen>,
+    pub(super) section: Option<SectionHold>,
     pub(super) cases: Vec<LoadCase>,
 }
 
@@ -56,6 +57,7 @@ impl ElasticBody {
             thickness,
             supports: Vec::new(),
             platen: None,
+            section: None,
             cases: Vec::new(),
         })
     }
@@ -72,6 +74,18 @@ impl ElasticBody {
     pub fn with_platen(mut self, platen: Platen) -> Self {
         self.platen = Some(platen);
         self
+    }
+
+    /// Holds the mean displacement over the area. Of points with history ([`Linearised`](crate::Linearised)) it is not held.
+    #[must_use]
+    pub fn with_section_hold(mut self, hold: SectionHold) -> Self {
+        self.section = Some(hold);
+        self
+    }
+
+    /// What holds the mean displacement over the area.
+    pub fn section_hold(&self) -> Option<SectionHold> {
+        self.section
     }
 
     /// Adds unit loads; their order is the order of the multipliers.

@@ -54,6 +54,11 @@ pub enum BodyError {
         /// Translations that the supports leave.
         left: usize,
     },
+    /// The mean displacement over the area is held where supports hold the body already.
+    #[error(
+        "the mean displacement over the section is held along an axis in which other supports hold the body already"
+    )]
+    SectionHeld,
     /// A part of the mesh that shares no node with the rest, or is all of it, has a rigid motion that nothing prevents.
     #[error(
         "the part of the mesh joined to node {node} can move freely in {motions} of its 3 rigid motions: nothing holds it"

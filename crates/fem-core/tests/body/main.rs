@@ -16,6 +16,7 @@ mod patch;
 mod platen;
 mod recovery;
 mod reference;
+mod section;
 mod supports;
 mod tangent;
 mod thermal;

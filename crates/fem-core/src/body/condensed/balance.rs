@@ -74,6 +74,9 @@ impl CondensedBody {
             });
             reactions[2 * node..2 * node + 2].copy_from_slice(&constraint.to_global(held));
         }
+        let held = self.section_forces(state);
+        let both = reactions.iter_mut().zip(&held);
+        both.for_each(|(sum, force)| *sum += force);
         let reaction = resultant(nodes, &reactions);
         let load = resultant(nodes, &self.applied_forces(state));
         [reaction, [0, 1, 2].map(|k| reaction[k] + load[k])]
