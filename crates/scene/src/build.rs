@@ -248,15 +248,14 @@ impl Builder<'_> {
             self.undefined(key, "body", name, names);
             return None;
         };
-        let points = if fits == Fits::Edges {
-            Vec::new()
-        } else {
-            body.shape.points()
+        let (points, areas) = match fits {
+            Fits::Edges => (Vec::new(), &[][..]),
+            Fits::EdgesAndPoints => (body.shape.points(), body.shape.areas()),
         };
         let edges = body.shape.edges().into_iter().map(|edge| edge.name);
-        let sets: Vec<_> = edges
-            .chain(points.into_iter().map(|(name, _)| name))
-            .collect();
+        let points = points.into_iter().map(|(name, _)| name);
+        let areas = areas.iter().map(|&name| name.into());
+        let sets: Vec<_> = edges.chain(points).chain(areas).collect();
         if sets.iter().any(|known| known == set) {
             return Some(SetRef {
                 body: name.to_owned(),
@@ -269,7 +268,7 @@ impl Builder<'_> {
             what: if fits == Fits::Edges {
                 "edge"
             } else {
-                "edge or point"
+                "edge, point or area"
             },
             set: set.to_owned(),
             nearest: nearest(set, sets.iter().map(|known| &**known))

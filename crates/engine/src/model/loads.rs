@@ -7,7 +7,9 @@ use stickslip_contact::{LoadHistory, Ramp};
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::{EdgeSet, Mesh, MeshError, Point};
-use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Platen, RigidBody, Support};
+use stickslip_fem_core::{
+    ElasticBody, HeldDirection, LoadCase, Platen, RigidBody, SectionHold, Support,
+};
 
 use super::bearing::unit_forces;
 use super::plan::{Placed, Plan};
@@ -83,6 +85,9 @@ impl Loaded<'_> {
         if let Some(platen) = self.platen().map_err(mesh_error)? {
             body = body.with_platen(platen);
         }
+        if let Some(hold) = self.section() {
+            body = body.with_section_hold(hold);
+        }
         let cases = self.load_cases().map_err(mesh_error)?;
         body.with_load_cases(cases).map_err(body_error)
     }
@@ -96,6 +101,9 @@ impl Loaded<'_> {
     fn supports(&self) -> Result<Vec<Support>, MeshError> {
         let mut supports = Vec::new();
         for support in self.plan.supports_of(self.index) {
+            if self.holds_area(support) {
+                continue;
+            }
             let nodes = self.mesh.node_set(&support.on.set)?;
             let directions: Vec<HeldDirection> = match support.hold {
                 Hold::Direction(angle) => vec![HeldDirection::Angle(angle)],
@@ -118,6 +126,32 @@ impl Loaded<'_> {
             });
         }
         Ok(supports)
+    }
+
+    /// Whether a support holds the mean displacement of the body's area.
+    fn holds_area(&self, support: &schema::Support) -> bool {
+        let shape = self.plan.bodies[self.index].shape;
+        shape.is_area(&support.on.set)
+    }
+
+    /// What holds the mean displacement of the body's area; across the line of symmetry of a half nothing has to.
+    fn section(&self) -> Option<SectionHold> {
+        let supports = self.plan.supports_of(self.index);
+        let mut hold = SectionHold {
+            held: [false; 2],
+            displacement: [0.0; 2],
+        };
+        for support in supports.filter(|support| self.holds_area(support)) {
+            let Hold::Axes(axes) = support.hold else {
+                continue;
+            };
+            let own = [axes.x, axes.y];
+            for axis in (0..2).filter(|&axis| own[axis] && self.across() != Some(axis)) {
+                hold.held[axis] = true;
+                hold.displacement[axis] = support.displacement;
+            }
+        }
+        hold.held.contains(&true).then_some(hold)
     }
 
     fn platen(&self) -> Result<Option<Platen>, MeshError> {

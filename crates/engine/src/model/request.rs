@@ -171,7 +171,8 @@ fn singular(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Result<Vec<usize>, Mes
     let supports = plan.supports_of(body).map(|support| &support.on);
     let platens = plan.platens_of(body).map(|platen| &platen.on);
     let mut nodes = Vec::new();
-    for on in supports.chain(platens) {
+    let shape = plan.bodies[body].shape;
+    for on in supports.chain(platens).filter(|on| !shape.is_area(&on.set)) {
         if mesh.edge_set(&on.set).is_err() {
             nodes.extend_from_slice(mesh.node_set(&on.set)?);
             continue;

@@ -375,6 +375,8 @@ impl Given<'_> {
         };
         let mut displacement = [0.0; 2];
         let mut held = [false; 2];
+        let mut anchor = None;
+        let shape = self.plan.bodies[self.index].shape;
         let supports = self.plan.supports.iter();
         for support in supports.filter(|support| support.body == self.index) {
             let Hold::Axes(axes) = support.of.hold else {
@@ -382,6 +384,14 @@ impl Given<'_> {
             };
             if support.edge.is_some() {
                 return Err("is held along its rim".into());
+            }
+            let own = if shape.is_area(&support.of.on.set) {
+                Anchor::Area
+            } else {
+                Anchor::default()
+            };
+            if *anchor.get_or_insert(own) != own {
+                return Err("is held at its centre and over its section".into());
             }
             for (axis, own) in [axes.x, axes.y].into_iter().enumerate() {
                 if own {
@@ -409,7 +419,8 @@ impl Given<'_> {
             ..DiskLoad::default()
         });
         let make = if held[0] { Disk::held } else { Disk::floating };
-        let disk = make(self.nodes, material, self.circle, Anchor::default(), &loads);
+        let anchor = anchor.unwrap_or_default();
+        let disk = make(self.nodes, material, self.circle, anchor, &loads);
         let disk = disk.map_err(|cause| cause.to_string())?;
         Ok(SeriesBody::Disk(Box::new(disk)))
     }

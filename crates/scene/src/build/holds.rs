@@ -44,6 +44,14 @@ impl Builder<'_> {
                 let remedy = "write one support for x and one for y, each with its displacement";
                 self.conflict(&format!("{key}.displacement"), message, remedy);
             }
+            let body = on.as_ref().and_then(|on| self.bodies.get(&on.body));
+            let is_area = body.zip(on.as_ref());
+            let is_area = is_area.is_some_and(|(body, on)| body.shape.is_area(&on.set));
+            if is_area && matches!(hold, Some(Hold::Direction(_))) {
+                let message = "the mean displacement of an area is held along x and y, not along a direction between them";
+                let remedy = "write fix = [\"x\", \"y\"], or hold an edge or a point";
+                self.conflict(&format!("{key}.normal"), message, remedy);
+            }
             if let (Some(on), Some(hold)) = (on, hold) {
                 supports.push(Support {
                     on,

@@ -11,8 +11,7 @@ use super::outline::{CIRCLE_KEYS, Divided, DivisionError, Edge, Meshing, Outline
 use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
-pub(super) const MEANING: &str =
-    "a disk around the origin, or in the hole that holds it; edges `rim`; points `centre`";
+pub(super) const MEANING: &str = "a disk around the origin, or in the hole that holds it; edges `rim`; points `centre`; areas `section`";
 
 pub(super) const ROWS: &[Key] =
     &[length("radius", REQUIRED, r#""5 mm""#, "radius").range(POSITIVE)];
@@ -53,6 +52,10 @@ impl Outline for Disk {
 
     fn points(&self) -> Vec<(Cow<'static, str>, Point)> {
         vec![("centre".into(), [0.0; 2])]
+    }
+
+    fn areas(&self) -> &'static [&'static str] {
+        &["section"]
     }
 
     fn bounds(&self) -> [Point; 2] {

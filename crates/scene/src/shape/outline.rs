@@ -24,6 +24,11 @@ pub trait Outline: fmt::Debug {
         Vec::new()
     }
 
+    /// Its named areas, whose mean displacement a support can hold.
+    fn areas(&self) -> &'static [&'static str] {
+        &[]
+    }
+
     /// The smallest and the largest x and y of its points.
     fn bounds(&self) -> [Point; 2];
 
@@ -57,6 +62,11 @@ pub trait Outline: fmt::Debug {
 
     /// One line about it, with lengths as `show` writes them.
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String;
+
+    /// Whether `name` is that of an area.
+    fn is_area(&self, name: &str) -> bool {
+        self.areas().contains(&name)
+    }
 
     /// The edge called `name`.
     fn edge(&self, name: &str) -> Option<Edge> {
