@@ -64,12 +64,12 @@ pub enum Growth {
     Fractions(Vec<f64>),
 }
 
-/// Size of a mesh before it is made.
+/// Size of a mesh before it is made: exact for structured meshes, an estimate otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MeshEstimate {
-    /// Number of nodes, exact.
+    /// Number of nodes.
     pub nodes: usize,
-    /// Number of cells, exact.
+    /// Number of cells.
     pub elements: usize,
 }
 
@@ -78,7 +78,7 @@ pub trait Generate {
     /// What is made: a mesh, or several that match.
     type Output;
 
-    /// Exact size of the result, from the counts alone.
+    /// Size of the result before it is made; exact if it follows from counts alone.
     ///
     /// # Errors
     /// Whatever is wrong with the input.

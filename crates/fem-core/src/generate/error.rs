@@ -124,6 +124,12 @@ pub enum GenerateError {
         /// The limit in force.
         limit: usize,
     },
+    /// An outline or a hole that cannot be meshed, from generators of other crates.
+    #[error("{reason}")]
+    Contour {
+        /// What is wrong, with names and numbers.
+        reason: String,
+    },
     /// The input is in order but the mesh is not, for example because angles vary too abruptly.
     #[error("the generated mesh is not valid; use more layers or a smoother list of angles")]
     Mesh(#[from] MeshError),

@@ -1,0 +1,179 @@
+//! The mesh of a triangulation and its rings.
+
+use std::collections::BTreeMap;
+
+use stickslip_fem_core::mesh::{
+    Curve, EdgeRef, EdgeSet, ElementBlock, ElementKind, Mesh, MeshParts, Point,
+};
+
+use crate::edges::Origin;
+use crate::plan::Plan;
+use crate::ring::Ring;
+use crate::triangulate::Refinement;
+use crate::vector::{along, distance, middle};
+use crate::{ContourError, Division};
+
+/// A boundary edge of the body.
+struct Rim<'a> {
+    /// With the body on the left.
+    ends: [usize; 2],
+    set: &'a str,
+    curve: Curve,
+    /// The true curve half-way.
+    halfway: Point,
+}
+
+/// Corner nodes, triangles, and the boundary.
+struct Corners<'a> {
+    points: Vec<Point>,
+    triangles: Vec<[usize; 3]>,
+    rims: Vec<Rim<'a>>,
+}
+
+/// Makes the mesh of at most `limit` nodes.
+pub(crate) fn assembled(
+    plan: &Plan,
+    refinement: &Refinement<'_>,
+    division: &Division,
+    limit: usize,
+) -> Result<Mesh, ContourError> {
+    let mut corners = Corners::new(plan, refinement);
+    let corner_count = corners.points.len();
+    let mut edges: BTreeMap<[usize; 2], EdgeRef> = BTreeMap::new();
+    for (element, &[a, b, c]) in corners.triangles.iter().enumerate() {
+        for (edge, ends) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
+            edges.insert(ends, EdgeRef { element, edge });
+        }
+    }
+    let connectivity = if division.kind == ElementKind::T6 {
+        quadratic(&mut corners)
+    } else {
+        corners.triangles.concat()
+    };
+    let nodes = corners.points.len();
+    if nodes > limit {
+        return Err(ContourError::TooLarge { nodes, limit });
+    }
+    debug_assert!(nodes >= corner_count);
+    let mut edge_sets: BTreeMap<String, EdgeSet> = BTreeMap::new();
+    for rim in &corners.rims {
+        let set = edge_sets.entry(rim.set.to_owned()).or_default();
+        set.curve.get_or_insert(moved(rim.curve, division.centre));
+        set.edges.extend(edges.get(&rim.ends));
+    }
+    let nodes = corners.points.into_iter();
+    Ok(Mesh::new(MeshParts {
+        nodes: nodes.map(|p| along(p, 1.0, division.centre)).collect(),
+        blocks: vec![ElementBlock {
+            name: "body".into(),
+            kind: division.kind,
+            connectivity,
+        }],
+        edge_sets,
+        ..MeshParts::default()
+    })?)
+}
+
+fn moved(curve: Curve, by: Point) -> Curve {
+    match curve {
+        Curve::Arc { centre, radius } => Curve::Arc {
+            centre: along(centre, 1.0, by),
+            radius,
+        },
+        Curve::Line => Curve::Line,
+    }
+}
+
+impl<'a> Corners<'a> {
+    fn new(plan: &'a Plan, refinement: &Refinement<'_>) -> Self {
+        let mut corners = Self {
+            points: refinement.points(),
+            triangles: refinement.triangles(),
+            rims: Vec::new(),
+        };
+        let mut outer: Vec<Vec<usize>> =
+            plan.rings.iter().map(|ring| vec![0; ring.angles.len()]).collect();
+        for segment in refinement.segments() {
+            match segment.origin {
+                Origin::Piece {
+                    piece, from, to, ..
+                } => {
+                    let track = &plan.outline.tracks[piece];
+                    corners.rims.push(Rim {
+                        ends: segment.ends,
+                        set: &plan.outline.names[piece],
+                        curve: track.curve(),
+                        halfway: track.at(f64::midpoint(from, to)),
+                    });
+                }
+                Origin::Ring { ring, ray } => outer[ring][ray] = segment.ends[1],
+            }
+        }
+        for (ring, outer) in plan.rings.iter().zip(outer) {
+            corners.ring(ring, outer);
+        }
+        corners
+    }
+
+    /// Adds the layers of a ring inside its outermost row of nodes, and the hole's edge.
+    fn ring(&mut self, ring: &'a Ring, outer: Vec<usize>) {
+        let count = outer.len();
+        let layers = ring.rows.len() - 1;
+        let mut far = outer;
+        for row in ring.rows[..layers].iter().rev() {
+            let first = self.points.len();
+            self.points.extend(row);
+            let near: Vec<usize> = (first..first + count).collect();
+            for ray in 0..count {
+                let next = (ray + 1) % count;
+                self.quadrilateral([near[ray], far[ray], far[next], near[next]]);
+            }
+            far = near;
+        }
+        let curve = Curve::Arc {
+            centre: ring.centre,
+            radius: ring.radius,
+        };
+        let rims = (0..count).map(|ray| Rim {
+            ends: [far[(ray + 1) % count], far[ray]],
+            set: &ring.name,
+            curve,
+            halfway: ring.halfway(ray),
+        });
+        self.rims.extend(rims);
+    }
+
+    /// Adds two triangles, cut along the shorter diagonal.
+    fn quadrilateral(&mut self, [a, b, c, d]: [usize; 4]) {
+        let length = |p: usize, q: usize| distance(self.points[p], self.points[q]);
+        let cut = if length(a, c) <= length(b, d) {
+            [[a, b, c], [a, c, d]]
+        } else {
+            [[a, b, d], [b, c, d]]
+        };
+        self.triangles.extend(cut);
+    }
+}
+
+/// Adds the inner nodes of edges, on the true curve of the boundary, and returns the connectivity of T6.
+fn quadratic(corners: &mut Corners<'_>) -> Vec<usize> {
+    let key = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
+    let rims = corners.rims.iter();
+    let true_middles: BTreeMap<[usize; 2], Point> =
+        rims.map(|rim| (key(rim.ends), rim.halfway)).collect();
+    let mut middles: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+    let mut connectivity = Vec::with_capacity(6 * corners.triangles.len());
+    for &[a, b, c] in &corners.triangles {
+        connectivity.extend([a, b, c]);
+        for ends in [[a, b], [b, c], [c, a]] {
+            let node = *middles.entry(key(ends)).or_insert_with(|| {
+                let chord = || middle(corners.points[ends[0]], corners.points[ends[1]]);
+                let at = true_middles.get(&key(ends)).copied().unwrap_or_else(chord);
+                corners.points.push(at);
+                corners.points.len() - 1
+            });
+            connectivity.push(node);
+        }
+    }
+    connectivity
+}

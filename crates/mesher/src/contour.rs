@@ -1,0 +1,82 @@
+//! Outlines of straight lines and arcs, with circular holes.
+
+mod check;
+
+use stickslip_fem_core::mesh::Point;
+
+use crate::ContourError;
+use crate::curve::Track;
+use crate::vector::{NOWHERE, grown};
+
+pub(crate) use check::checked;
+
+/// One piece of an outline, from the end of the one before to `to`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// Name of its edge set. Neighbouring pieces on one line or circle may share a name.
+    pub name: String,
+    /// Its end `[length]`.
+    pub to: Point,
+    /// A point between the ends of an arc `[length]`; `None` is a straight line.
+    pub through: Option<Point>,
+}
+
+/// A circular hole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hole {
+    /// Name of its edge set.
+    pub name: String,
+    /// Centre `[length]`.
+    pub centre: Point,
+    /// Radius `[length]`.
+    pub radius: f64,
+    /// Angles of the corner nodes `[rad]`, at least 8, ascending in [0, 2π), counter-clockwise from x, at most π/3 apart.
+    pub angles: Vec<f64>,
+    /// Layers of the ring of structured cells around the hole, fewer where neighbours are near; `None` is up to 3.
+    pub layers: Option<usize>,
+}
+
+/// A plane body: a closed outline with the body on its left, and holes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contour {
+    /// Where the first piece begins `[length]`.
+    pub start: Point,
+    /// The pieces counter-clockwise; the last ends at `start`.
+    pub pieces: Vec<Piece>,
+    /// Holes inside the outline.
+    pub holes: Vec<Hole>,
+}
+
+impl Contour {
+    /// Refuses what does not bound a body.
+    ///
+    /// # Errors
+    /// The first defect found, of [`ContourError`]: numbers, names, lengths, closure, direction, crossings, cusps, holes.
+    pub fn check(&self) -> Result<(), ContourError> {
+        checked(self).map(|_| ())
+    }
+
+    /// Smallest and largest corner of the box around the outline `[length]`; arcs that three points do not define count as lines.
+    pub fn bounds(&self) -> [Point; 2] {
+        let box_of = |all: [Point; 2], track: &Track| {
+            let [low, high] = track.bounds();
+            grown(grown(all, low), high)
+        };
+        let tracks = self.tracks();
+        let lines = tracks.map(|(_, track)| track.unwrap_or_else(|line| line));
+        lines.fold(grown(NOWHERE, self.start), |all, track| box_of(all, &track))
+    }
+
+    /// Each piece with its track; that of an arc that is none is the error, as a line.
+    fn tracks(&self) -> impl Iterator<Item = (&Piece, Result<Track, Track>)> {
+        let begins = std::iter::once(self.start).chain(self.pieces.iter().map(|piece| piece.to));
+        self.pieces.iter().zip(begins).map(|(piece, from)| {
+            let line = || Track::line(from, piece.to);
+            let track = match piece.through {
+                Some(through) => Track::arc(from, through, piece.to).ok_or_else(line),
+                None => Ok(line()),
+            };
+            (piece, track)
+        })
+    }
+}

@@ -1,0 +1,267 @@
+//! Straight lines and arcs by arc length.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use stickslip_fem_core::mesh::{Curve, Point};
+
+use crate::vector::{
+    NOWHERE, along, circumcircle, cross, distance, dot, grown, middle, minus, orient, unit,
+};
+
+/// Sine below which three points lie on a line.
+const STRAIGHT: f64 = 1e-9;
+
+/// A piece of outline, walked from `from` to `to` with arc length s `[length]`.
+#[derive(Clone, Debug)]
+pub(crate) struct Track {
+    pub(crate) from: Point,
+    pub(crate) to: Point,
+    length: f64,
+    bend: Option<Bend>,
+}
+
+/// The circle of an arc.
+#[derive(Clone, Copy, Debug)]
+struct Bend {
+    centre: Point,
+    radius: f64,
+    /// Direction of `from` seen from the centre `[rad]`.
+    start: f64,
+    /// Angle from there to `to` `[rad]`, positive counter-clockwise.
+    sweep: f64,
+}
+
+impl Track {
+    pub(crate) fn line(from: Point, to: Point) -> Self {
+        let length = distance(from, to);
+        Self {
+            from,
+            to,
+            length,
+            bend: None,
+        }
+    }
+
+    /// The arc through three points; none if they lie on a line or coincide.
+    pub(crate) fn arc(from: Point, through: Point, to: Point) -> Option<Self> {
+        let turn = orient(from, through, to);
+        let sides = [(from, through), (through, to), (to, from)].map(|(a, b)| distance(a, b));
+        let [shortest, longest] = [
+            sides.into_iter().fold(f64::INFINITY, f64::min),
+            sides.into_iter().fold(0.0, f64::max),
+        ];
+        // Written so that an overflow to NaN is refused too.
+        if !(turn.abs() > STRAIGHT * shortest * longest && shortest > STRAIGHT * longest) {
+            return None;
+        }
+        let (centre, radius) = circumcircle([from, through, to]);
+        let direction = |point: Point| (point[1] - centre[1]).atan2(point[0] - centre[0]);
+        let start = direction(from);
+        let ccw = (direction(to) - start).rem_euclid(TAU);
+        let sweep = if turn > 0.0 { ccw } else { ccw - TAU };
+        let bend = Some(Bend {
+            centre,
+            radius,
+            start,
+            sweep,
+        });
+        let length = radius * sweep.abs();
+        Some(Self {
+            from,
+            to,
+            length,
+            bend,
+        })
+    }
+
+    /// Arc length `[length]`.
+    pub(crate) fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Radius of an arc `[length]`.
+    pub(crate) fn radius(&self) -> Option<f64> {
+        self.bend.map(|bend| bend.radius)
+    }
+
+    /// The exact geometry for an edge set.
+    pub(crate) fn curve(&self) -> Curve {
+        match self.bend {
+            Some(Bend { centre, radius, .. }) => Curve::Arc { centre, radius },
+            None => Curve::Line,
+        }
+    }
+
+    /// Point at arc length `s`, the ends exactly.
+    pub(crate) fn at(&self, s: f64) -> Point {
+        if s <= 0.0 {
+            return self.from;
+        }
+        if s >= self.length {
+            return self.to;
+        }
+        let t = s / self.length;
+        match self.bend {
+            Some(b) => along(b.centre, b.radius, unit(b.start + t * b.sweep)),
+            None => [0, 1].map(|c| {
+                let (a, b) = (self.from[c], self.to[c]);
+                if a == b { a } else { (1.0 - t) * a + t * b }
+            }),
+        }
+    }
+
+    /// Unit vectors along the walk at its beginning and end.
+    pub(crate) fn tangents(&self) -> [Point; 2] {
+        match self.bend {
+            Some(b) => [b.start, b.start + b.sweep]
+                .map(|angle| unit(angle + FRAC_PI_2.copysign(b.sweep))),
+            None => [minus(self.to, self.from).map(|c| c / self.length); 2],
+        }
+    }
+
+    /// Arc length from the beginning (or from the end) to where the distance from that end is `chord`, which is at most the
+    /// length of a line or the diameter of an arc.
+    pub(crate) fn chord_to_length(&self, chord: f64) -> f64 {
+        match self.bend {
+            Some(b) => 2.0 * b.radius * (chord / (2.0 * b.radius)).min(1.0).asin(),
+            None => chord,
+        }
+    }
+
+    /// The nearest point of the track.
+    pub(crate) fn nearest(&self, point: Point) -> Point {
+        match self.bend {
+            Some(b) => {
+                let v = minus(point, b.centre);
+                let r = v[0].hypot(v[1]);
+                if r > 0.0 && b.holds(v) {
+                    return along(b.centre, b.radius / r, v);
+                }
+                if distance(point, self.from) <= distance(point, self.to) {
+                    self.from
+                } else {
+                    self.to
+                }
+            }
+            None => {
+                let d = minus(self.to, self.from);
+                let t = dot(minus(point, self.from), d) / (self.length * self.length);
+                self.at(t.clamp(0.0, 1.0) * self.length)
+            }
+        }
+    }
+
+    /// Distance of a point from the track `[length]`.
+    pub(crate) fn distance(&self, point: Point) -> f64 {
+        distance(self.nearest(point), point)
+    }
+
+    /// Box around the track.
+    pub(crate) fn bounds(&self) -> [Point; 2] {
+        let ends = grown(grown(NOWHERE, self.from), self.to);
+        let Some(b) = self.bend else { return ends };
+        let extremes = (0..4).map(|k| unit(f64::from(k) * FRAC_PI_2));
+        extremes
+            .filter(|&direction| b.holds(direction))
+            .fold(ends, |all, direction| {
+                grown(all, along(b.centre, b.radius, direction))
+            })
+    }
+
+    /// ½ ∮ x × dx of the track about `origin` `[length²]`.
+    pub(crate) fn area(&self, origin: Point) -> f64 {
+        let chord = cross(minus(self.from, origin), minus(self.to, origin)) / 2.0;
+        let Some(b) = self.bend else { return chord };
+        chord + b.radius * b.radius * (b.sweep - b.sweep.sin()) / 2.0
+    }
+
+    /// Angle by which the direction from `point` turns along the track `[rad]`.
+    pub(crate) fn winding(&self, point: Point) -> f64 {
+        let (u, v) = (minus(self.from, point), minus(self.to, point));
+        let chord = cross(u, v).atan2(dot(u, v));
+        let Some(b) = self.bend else { return chord };
+        // Between the chord and the arc, the arc passes on the other side of the point.
+        let side = orient(self.from, self.to, point) * b.sweep;
+        if side < 0.0 && distance(point, b.centre) < b.radius {
+            chord + TAU.copysign(b.sweep)
+        } else {
+            chord
+        }
+    }
+
+    /// Whether both lie on one line or one circle, to `tolerance` `[length]`.
+    pub(crate) fn continues(&self, other: &Self, tolerance: f64) -> bool {
+        match (self.bend, other.bend) {
+            (Some(a), Some(b)) => {
+                distance(a.centre, b.centre) <= tolerance
+                    && (a.radius - b.radius).abs() <= tolerance
+            }
+            (None, None) => [other.from, other.to].into_iter().all(|p| {
+                orient(self.from, self.to, p).abs() <= tolerance * self.length
+            }),
+            _ => false,
+        }
+    }
+
+    /// Points where the two tracks meet, to `tolerance` `[length]`.
+    pub(crate) fn meetings(&self, other: &Self, tolerance: f64) -> Vec<Point> {
+        let mut points = match (self.bend, other.bend) {
+            (None, None) => lines(self, other),
+            (Some(b), None) => line_circle(other, b),
+            (None, Some(b)) => line_circle(self, b),
+            (Some(a), Some(b)) => circles(a, b),
+        };
+        points.extend([self.from, self.to, other.from, other.to]);
+        points.retain(|&p| self.distance(p) <= tolerance && other.distance(p) <= tolerance);
+        points
+    }
+}
+
+impl Bend {
+    /// Whether the arc passes through the direction `v` from the centre.
+    fn holds(&self, v: Point) -> bool {
+        let turn = (v[1].atan2(v[0]) - self.start) * self.sweep.signum();
+        turn.rem_euclid(TAU) <= self.sweep.abs()
+    }
+}
+
+/// Where two infinite lines cross.
+fn lines(a: &Track, b: &Track) -> Vec<Point> {
+    let (u, v) = (minus(a.to, a.from), minus(b.to, b.from));
+    let t = cross(minus(b.from, a.from), v) / cross(u, v);
+    if t.is_finite() {
+        vec![along(a.from, t, u)]
+    } else {
+        Vec::new()
+    }
+}
+
+/// Where an infinite line crosses a circle, or comes nearest to its centre.
+fn line_circle(line: &Track, b: Bend) -> Vec<Point> {
+    let u = line.tangents()[0];
+    let t = dot(minus(b.centre, line.from), u);
+    let foot = along(line.from, t, u);
+    let half = (b.radius.powi(2) - dot(minus(foot, b.centre), minus(foot, b.centre))).max(0.0);
+    [-half.sqrt(), 0.0, half.sqrt()]
+        .map(|t| along(foot, t, u))
+        .into()
+}
+
+/// Where two circles cross, or come nearest to each other.
+fn circles(a: Bend, b: Bend) -> Vec<Point> {
+    let d = distance(a.centre, b.centre);
+    if d == 0.0 {
+        return Vec::new();
+    }
+    let u = minus(b.centre, a.centre).map(|c| c / d);
+    let x = (d * d + a.radius * a.radius - b.radius * b.radius) / (2.0 * d);
+    let y = (a.radius * a.radius - x * x).max(0.0).sqrt();
+    let foot = along(a.centre, x, u);
+    [y, -y].map(|y| along(foot, y, [-u[1], u[0]])).into()
+}
+
+/// Middle of the shortest way between a point and a track, and the way's length.
+pub(crate) fn gap(track: &Track, point: Point) -> (Point, f64) {
+    let nearest = track.nearest(point);
+    (middle(nearest, point), distance(nearest, point))
+}

@@ -1,0 +1,256 @@
+//! What the mesher refuses.
+
+use stickslip_fem_core::generate::GenerateError;
+use stickslip_fem_core::mesh::{ElementKind, MeshError, Point};
+use thiserror::Error;
+
+/// Why a contour was not meshed.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum ContourError {
+    /// An outline of one piece or none.
+    #[error("the outline has {count} pieces, at least 2 are needed")]
+    TooFewPieces {
+        /// How many there are.
+        count: usize,
+    },
+    /// A number that must be finite.
+    #[error("{what} must be finite, not {value}")]
+    NotFinite {
+        /// Which number.
+        what: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A number that must be positive.
+    #[error("{what} must be positive, not {value}")]
+    NotPositive {
+        /// Which number.
+        what: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A piece or hole without a name.
+    #[error("{what} has no name")]
+    EmptyName {
+        /// Which piece or hole, counted from 1.
+        what: String,
+    },
+    /// A name that is used twice where it must not be.
+    #[error("the name '{name}' is used twice; only neighbouring pieces may share one")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// Neighbouring pieces of one name with different exact curves.
+    #[error(
+        "the neighbouring pieces named '{name}' do not lie on one line or circle; give each a name of its own"
+    )]
+    DifferentCurves {
+        /// The name.
+        name: String,
+    },
+    /// The last piece does not end where the first begins.
+    #[error(
+        "the outline is open: its last piece '{piece}' ends at ({}, {}), a distance of {gap} from the start ({}, {})",
+        end[0], end[1], start[0], start[1]
+    )]
+    Open {
+        /// Name of the last piece.
+        piece: String,
+        /// Its end `[length]`.
+        end: Point,
+        /// Start of the outline `[length]`.
+        start: Point,
+        /// Distance between them `[length]`.
+        gap: f64,
+    },
+    /// A piece that ends where it begins.
+    #[error("piece '{piece}' has no length: it begins and ends at ({}, {})", at[0], at[1])]
+    ZeroLength {
+        /// Name of the piece.
+        piece: String,
+        /// Where it is `[length]`.
+        at: Point,
+    },
+    /// An arc that three points do not define.
+    #[error(
+        "the three points of arc '{piece}' lie on a line or coincide; give a point between its ends, or none for a straight piece"
+    )]
+    StraightArc {
+        /// Name of the piece.
+        piece: String,
+    },
+    /// The body would be on the right of the outline.
+    #[error("the outline is clockwise (its signed area is {area}); reverse the order of its pieces")]
+    Clockwise {
+        /// Signed area of the outline `[length²]`.
+        area: f64,
+    },
+    /// Two pieces that cross or touch.
+    #[error("pieces '{first}' and '{second}' meet near ({:.6}, {:.6})", at[0], at[1])]
+    Crossing {
+        /// Name of the first piece.
+        first: String,
+        /// Name of the second.
+        second: String,
+        /// About where `[length]`.
+        at: Point,
+    },
+    /// Two neighbouring pieces that leave no room between them, inside or outside.
+    #[error(
+        "pieces '{first}' and '{second}' form a cusp: the inner angle between them is {angle:.4} rad at ({}, {})",
+        at[0], at[1]
+    )]
+    Cusp {
+        /// Name of the piece that ends there.
+        first: String,
+        /// Name of the piece that begins there.
+        second: String,
+        /// Angle inside the body `[rad]`.
+        angle: f64,
+        /// The corner `[length]`.
+        at: Point,
+    },
+    /// A hole beside the body.
+    #[error("hole '{hole}' lies outside the outline, {distance} from it to the hole's centre")]
+    HoleOutside {
+        /// Name of the hole.
+        hole: String,
+        /// Distance from its centre to the outline `[length]`.
+        distance: f64,
+    },
+    /// A hole that reaches the outline.
+    #[error(
+        "hole '{hole}' crosses piece '{piece}': its centre is {distance} away and its radius is {radius}"
+    )]
+    HoleCrosses {
+        /// Name of the hole.
+        hole: String,
+        /// Name of the piece.
+        piece: String,
+        /// Distance from the hole's centre to the piece `[length]`.
+        distance: f64,
+        /// Radius of the hole `[length]`.
+        radius: f64,
+    },
+    /// Two holes that overlap or touch.
+    #[error(
+        "holes '{first}' and '{second}' overlap: their centres are {distance} apart and their radii add up to {radii}"
+    )]
+    HolesOverlap {
+        /// Name of the first hole.
+        first: String,
+        /// Name of the second.
+        second: String,
+        /// Distance between their centres `[length]`.
+        distance: f64,
+        /// Sum of their radii `[length]`.
+        radii: f64,
+    },
+    /// Too few nodes around a hole.
+    #[error("hole '{hole}' has {count} angles, at least {needed} are needed")]
+    TooFewAngles {
+        /// Name of the hole.
+        hole: String,
+        /// How many there are.
+        count: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+    /// Angles that do not increase strictly within [0, 2π).
+    #[error(
+        "the angles of hole '{hole}' must increase strictly from at least 0 to below 2π, but angle {index} is {value} rad"
+    )]
+    Angles {
+        /// Name of the hole.
+        hole: String,
+        /// Index of the angle.
+        index: usize,
+        /// The angle `[rad]`.
+        value: f64,
+    },
+    /// Neighbouring angles too far apart for cells that follow the circle.
+    #[error(
+        "the angles of hole '{hole}' leave an interval of {width:.4} rad after {after:.4} rad; the widest allowed is {widest:.4} rad"
+    )]
+    AngleGap {
+        /// Name of the hole.
+        hole: String,
+        /// Angle before the interval `[rad]`.
+        after: f64,
+        /// Width of the interval `[rad]`.
+        width: f64,
+        /// The widest allowed `[rad]`.
+        widest: f64,
+    },
+    /// A kind of cell other than T3 and T6.
+    #[error("contours are meshed with T3 or T6, not {kind:?}")]
+    Kind {
+        /// The kind asked for.
+        kind: ElementKind,
+    },
+    /// A growth of the cell size that gives no good cells.
+    #[error("the growth of the cell size must be above 0 and at most 1, not {value}")]
+    Growth {
+        /// The growth asked for.
+        value: f64,
+    },
+    /// A finer spacing for a piece that the outline does not have.
+    #[error("no piece is named '{name}'; the outline has {}", available.join(", "))]
+    UnknownPiece {
+        /// The name asked for.
+        name: String,
+        /// Names of the pieces.
+        available: Vec<String>,
+    },
+    /// Cells that stayed large or flat.
+    #[error(
+        "refinement is incomplete: {cells} cells are too large or too flat, the worst with a least angle of {:.2}° near ({:.6}, {:.6}); \
+         give holes near it more angles, or a finer spacing", angle.to_degrees(), at[0], at[1]
+    )]
+    Incomplete {
+        /// How many cells.
+        cells: usize,
+        /// Least angle of the worst `[rad]`.
+        angle: f64,
+        /// About where it is `[length]`.
+        at: Point,
+    },
+    /// The triangulation refused its input, for example coordinates beyond its range.
+    #[error("the triangulation failed: {reason}")]
+    Triangulation {
+        /// What it reported.
+        reason: String,
+    },
+    /// More nodes than allowed.
+    #[error("the mesh would have more than {limit} nodes, about {nodes}")]
+    TooLarge {
+        /// About how many nodes.
+        nodes: usize,
+        /// The limit in force.
+        limit: usize,
+    },
+    /// The triangles are in order but their curved cells are not.
+    #[error("the generated mesh is not valid; give the holes more angles")]
+    Mesh(#[from] MeshError),
+}
+
+/// Memory of a node of a triangle mesh with its share of the cells `[bytes]`.
+const NODE_BYTES: usize = 64;
+
+impl From<ContourError> for GenerateError {
+    fn from(error: ContourError) -> Self {
+        match error {
+            ContourError::TooLarge { nodes, limit } => Self::TooLarge {
+                nodes,
+                bytes: nodes.saturating_mul(NODE_BYTES),
+                limit,
+            },
+            ContourError::Mesh(error) => Self::Mesh(error),
+            other => Self::Contour {
+                reason: other.to_string(),
+            },
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! What a mesh is made from: the exact outline, the rings and the size of cells.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use stickslip_fem_core::mesh::{ElementKind, Point};
+
+use crate::contour::{Contour, checked};
+use crate::curve::Track;
+use crate::ring::Ring;
+use crate::size::{SHARP, Size};
+use crate::vector::{cross, distance, dot};
+use crate::{ContourError, Division};
+
+/// A closed outline with the body on its left.
+#[derive(Debug)]
+pub(crate) struct Outline {
+    pub(crate) names: Vec<String>,
+    pub(crate) tracks: Vec<Track>,
+    pub(crate) bounds: [Point; 2],
+    /// Distance below which points coincide `[length]`.
+    pub(crate) tolerance: f64,
+}
+
+impl Outline {
+    /// At least two tracks, each beginning where the one before ends, the first where the last does.
+    pub(crate) fn new(
+        names: Vec<String>,
+        tracks: Vec<Track>,
+        bounds: [Point; 2],
+        tolerance: f64,
+    ) -> Self {
+        Self {
+            names,
+            tracks,
+            bounds,
+            tolerance,
+        }
+    }
+
+    /// Index of the piece before `k`.
+    pub(crate) fn before(&self, k: usize) -> usize {
+        let count = self.tracks.len();
+        (k + count - 1) % count
+    }
+
+    /// Signed area `[length²]`.
+    pub(crate) fn area(&self) -> f64 {
+        let origin = self.bounds[0];
+        self.tracks.iter().map(|track| track.area(origin)).sum()
+    }
+
+    /// Angle inside the body where piece `k` begins `[rad]`.
+    pub(crate) fn angle(&self, k: usize) -> f64 {
+        let arrives = self.tracks[self.before(k)].tangents()[1];
+        let leaves = self.tracks[k].tangents()[0];
+        PI - cross(arrives, leaves).atan2(dot(arrives, leaves))
+    }
+
+    /// Whether a point that is not on the outline lies inside.
+    pub(crate) fn contains(&self, point: Point) -> bool {
+        let winding: f64 = self.tracks.iter().map(|track| track.winding(point)).sum();
+        winding > PI
+    }
+
+    /// Distance to the outline `[length]`.
+    pub(crate) fn distance(&self, point: Point) -> f64 {
+        let distances = self.tracks.iter().map(|track| track.distance(point));
+        distances.fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// A checked contour and division, ready to be meshed.
+#[derive(Debug)]
+pub(crate) struct Plan {
+    pub(crate) outline: Outline,
+    pub(crate) rings: Vec<Ring>,
+    pub(crate) size: Size,
+    /// Length of the first edges on both sides of the corner where a piece begins, if the corner is acute `[length]`.
+    pub(crate) first_edges: Vec<Option<f64>>,
+}
+
+/// Cells of a triangulation in units of ∫ dA/h²: between equilateral ones of circumradius 0.65 h and those of sides h.
+const CELLS_PER_SIZE: f64 = 3.2;
+
+/// Longest first edge beside an acute corner over the shorter piece.
+const FIRST_EDGE: f64 = 0.25;
+
+/// Deepest halving of the box in which the number of cells is estimated.
+const DEPTH: usize = 9;
+
+impl Plan {
+    pub(crate) fn new(contour: &Contour, division: &Division) -> Result<Self, ContourError> {
+        let outline = checked(contour)?;
+        check_division(division, &outline.names)?;
+        let rings: Vec<Ring> = (0..contour.holes.len())
+            .map(|k| Ring::new(k, &contour.holes, &outline))
+            .collect();
+        let mut size = Size::new(contour, division, &outline, &rings);
+        let first_edges = (0..outline.tracks.len())
+            .map(|k| first_edge(&outline, k, &mut size))
+            .collect();
+        Ok(Self {
+            outline,
+            rings,
+            size,
+            first_edges,
+        })
+    }
+
+    /// About how many cells and corner nodes the mesh will have, rather more than fewer.
+    pub(crate) fn estimate(&self, fine: &BTreeMap<String, f64>) -> (f64, f64) {
+        let [low, high] = self.outline.bounds;
+        let middle = [0, 1].map(|c| f64::midpoint(low[c], high[c]));
+        let half = [0, 1].map(|c| (high[c] - low[c]) / 2.0);
+        let cells = CELLS_PER_SIZE * self.integral(middle, half, DEPTH);
+        let structured: usize = self.rings.iter().map(Ring::cells).sum();
+        let pieces = self.outline.names.iter().zip(&self.outline.tracks);
+        // A row of cells along fine pieces that the integral does not resolve.
+        let along: f64 = pieces
+            .filter_map(|(name, track)| Some(track.length() / fine.get(name)?))
+            .sum();
+        let cells = cells.max(2.0 * along) + structured as f64;
+        let holes: usize = self.rings.iter().map(|ring| ring.angles.len()).sum();
+        (cells, cells / 2.0 + along + holes as f64 + 8.0)
+    }
+
+    /// ∫ dA/h² over the part of a box that is to be triangulated `[1]`.
+    fn integral(&self, middle: Point, half: Point, depth: usize) -> f64 {
+        let size = self.size.at(middle);
+        let [a, b] = half;
+        if depth > 0 && a.hypot(b) > size {
+            let quarters = [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]];
+            let parts = quarters
+                .map(|[s, t]| [middle[0] + s * a, middle[1] + t * b])
+                .map(|centre| self.integral(centre, [a / 2.0, b / 2.0], depth - 1));
+            return parts.into_iter().sum();
+        }
+        let in_ring = |ring: &Ring| distance(ring.centre, middle) < ring.reach;
+        if self.rings.iter().any(in_ring) || !self.outline.contains(middle) {
+            return 0.0;
+        }
+        4.0 * a * b / (size * size)
+    }
+}
+
+/// Equal first edges beside an acute corner cut an isosceles cell off it; beyond, cells are as small as its base.
+fn first_edge(outline: &Outline, k: usize, size: &mut Size) -> Option<f64> {
+    let angle = outline.angle(k);
+    if angle >= SHARP {
+        return None;
+    }
+    let (before, after) = (&outline.tracks[outline.before(k)], &outline.tracks[k]);
+    let shorter = before.length().min(after.length());
+    let edge = size.at(after.from).min(FIRST_EDGE * shorter);
+    let ends = [
+        before.at(before.length() - before.chord_to_length(edge)),
+        after.at(after.chord_to_length(edge)),
+    ];
+    size.add(&ends, distance(ends[0], ends[1]));
+    Some(edge)
+}
+
+fn check_division(division: &Division, names: &[String]) -> Result<(), ContourError> {
+    let kind = division.kind;
+    if !matches!(kind, ElementKind::T3 | ElementKind::T6) {
+        return Err(ContourError::Kind { kind });
+    }
+    let value = division.growth;
+    if !(value > 0.0 && value <= 1.0) {
+        return Err(ContourError::Growth { value });
+    }
+    if let Some(c) = division.centre.into_iter().find(|c| !c.is_finite()) {
+        return Err(ContourError::NotFinite {
+            what: "centre".into(),
+            value: c,
+        });
+    }
+    let overall = division.spacing.map(|value| ("spacing".to_owned(), value));
+    let fine = division.fine.iter();
+    let fine = fine.map(|(name, &value)| (format!("spacing on piece '{name}'"), value));
+    for (what, value) in overall.into_iter().chain(fine) {
+        if !value.is_finite() {
+            return Err(ContourError::NotFinite { what, value });
+        }
+        if value <= 0.0 {
+            return Err(ContourError::NotPositive { what, value });
+        }
+    }
+    match division.fine.keys().find(|name| !names.contains(name)) {
+        Some(name) => Err(ContourError::UnknownPiece {
+            name: name.clone(),
+            available: names.to_vec(),
+        }),
+        None => Ok(()),
+    }
+}

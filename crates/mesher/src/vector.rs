@@ -1,0 +1,88 @@
+//! Arithmetic of plane vectors.
+
+use std::f64::consts::FRAC_PI_2;
+
+use stickslip_fem_core::mesh::Point;
+
+pub(crate) fn minus(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// a + t b.
+pub(crate) fn along(a: Point, t: f64, b: Point) -> Point {
+    [a[0] + t * b[0], a[1] + t * b[1]]
+}
+
+pub(crate) fn middle(a: Point, b: Point) -> Point {
+    [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])]
+}
+
+pub(crate) fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+pub(crate) fn cross(a: Point, b: Point) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+pub(crate) fn distance(a: Point, b: Point) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// Twice the signed area of the triangle, positive if a, b, c are counter-clockwise.
+pub(crate) fn orient(a: Point, b: Point, c: Point) -> f64 {
+    cross(minus(b, a), minus(c, a))
+}
+
+/// Angles at the three corners `[rad]`.
+pub(crate) fn corner_angles([a, b, c]: [Point; 3]) -> [f64; 3] {
+    let angle = |p, q, r| {
+        let (u, v) = (minus(q, p), minus(r, p));
+        cross(u, v).atan2(dot(u, v))
+    };
+    [angle(a, b, c), angle(b, c, a), angle(c, a, b)]
+}
+
+/// Least angle of a triangle `[rad]`; negative if it is inverted.
+pub(crate) fn least_angle(triangle: [Point; 3]) -> f64 {
+    let [a, b, c] = corner_angles(triangle);
+    a.min(b).min(c)
+}
+
+/// Centre and radius of the circle through three points; not finite if they lie on a line.
+pub(crate) fn circumcircle([a, b, c]: [Point; 3]) -> (Point, f64) {
+    let (u, v) = (minus(b, a), minus(c, a));
+    let (uu, vv) = (dot(u, u), dot(v, v));
+    let twice = 2.0 * cross(u, v);
+    let offset = [
+        (v[1] * uu - u[1] * vv) / twice,
+        (u[0] * vv - v[0] * uu) / twice,
+    ];
+    (along(a, 1.0, offset), offset[0].hypot(offset[1]))
+}
+
+/// (cos, sin), exact at multiples of a right angle.
+pub(crate) fn unit(angle: f64) -> Point {
+    let quarters = angle / FRAC_PI_2;
+    let nearest = quarters.round();
+    if (quarters - nearest).abs() > 1e-14 * nearest.abs().max(1.0) {
+        return [angle.cos(), angle.sin()];
+    }
+    match nearest.rem_euclid(4.0) as u8 {
+        0 => [1.0, 0.0],
+        1 => [0.0, 1.0],
+        2 => [-1.0, 0.0],
+        _ => [0.0, -1.0],
+    }
+}
+
+/// Lowest and highest coordinates of no point at all.
+pub(crate) const NOWHERE: [Point; 2] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+
+/// The box grown to contain `point`.
+pub(crate) fn grown([low, high]: [Point; 2], point: Point) -> [Point; 2] {
+    [
+        [low[0].min(point[0]), low[1].min(point[1])],
+        [high[0].max(point[0]), high[1].max(point[1])],
+    ]
+}
