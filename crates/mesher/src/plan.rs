@@ -81,7 +81,7 @@ pub(crate) struct Plan {
 }
 
 /// Cells of a triangulation in units of ∫ dA/h²: between equilateral ones of circumradius 0.65 h and those of sides h.
-const CELLS_PER_SIZE: f64 = 3.2;
+const CELLS_PER_SIZE: f64 = 3.6;
 
 /// Longest first edge beside an acute corner over the shorter piece.
 const FIRST_EDGE: f64 = 0.25;

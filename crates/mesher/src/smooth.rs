@@ -6,7 +6,7 @@ use stickslip_fem_core::mesh::Point;
 
 use crate::ContourError;
 use crate::triangulate::Refinement;
-use crate::vector::{circumcircle, least_angle, middle, orient};
+use crate::vector::{circumcircle, least_sine, middle, orient};
 
 /// Passes of smoothing, each followed by a new triangulation.
 const PASSES: usize = 6;
@@ -36,18 +36,18 @@ fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>)
             continue;
         }
         let worst = |at: Point| {
-            let angles = star.iter().map(|&[a, b]| least_angle([at, points[a], points[b]]));
-            angles.fold(f64::INFINITY, f64::min)
+            let sines = star.iter().map(|&[a, b]| least_sine([at, points[a], points[b]]));
+            sines.fold(f64::INFINITY, f64::min)
         };
         let now = points[node];
         let targets = [mean(star, points), weighted_circumcentre(now, star, points)];
         let steps = targets.into_iter().flat_map(|to| [to, middle(now, to)]);
         let (mut best, mut at) = (worst(now), now);
         for to in steps {
-            // A target that is not finite has an angle of NaN, which exceeds nothing.
-            let angle = worst(to);
-            if angle > best {
-                (best, at) = (angle, to);
+            // A target that is not finite has a sine of NaN, which exceeds nothing.
+            let sine = worst(to);
+            if sine > best {
+                (best, at) = (sine, to);
             }
         }
         points[node] = at;

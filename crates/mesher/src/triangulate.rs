@@ -1,9 +1,9 @@
 //! Constrained Delaunay refinement by circumcentres.
 //!
-//! A triangle is bad if its circumradius exceeds [`ROUGH`] h or its least angle is below [`FLAT`]. Its circumcentre becomes a node unless
+//! A triangle is bad if its circumradius exceeds [`ROUGH`] h or the sine of its least angle is below [`FLAT`]. Its circumcentre becomes a node unless
 //! a boundary edge hides it or has it in its diametral circle; such an edge is halved on its true curve, unless it is fixed.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use spade::handles::{FixedFaceHandle, FixedVertexHandle, InnerTag};
 use spade::{ConstrainedDelaunayTriangulation, HierarchyHintGenerator, Point2, Triangulation};
@@ -12,13 +12,13 @@ use stickslip_fem_core::mesh::Point;
 use crate::ContourError;
 use crate::edges::{Boundary, Origin, Segment};
 use crate::plan::Plan;
-use crate::vector::{circumcircle, distance, dot, least_angle, minus, orient};
+use crate::vector::{circumcircle, distance, dot, least_sine, minus, orient};
 
 /// Largest circumradius in sizes; equilateral cells of side h have 0.577.
 const ROUGH: f64 = 0.65;
 
-/// Least angle asked for, 28° `[rad]`.
-const FLAT: f64 = 28.0 * std::f64::consts::PI / 180.0;
+/// Sine of the least angle asked for, 28°.
+const FLAT: f64 = 0.469;
 
 /// Shortest distance of a new node from others, in sizes.
 const CLOSEST: f64 = 0.1;
@@ -41,6 +41,8 @@ pub(crate) struct Refinement<'a> {
     delaunay: Delaunay,
     segments: BTreeMap<[usize; 2], Segment>,
     acute: BTreeSet<usize>,
+    /// Triangles found good where their nodes are now; only looked up, so that its order does not matter.
+    good: HashSet<[usize; 3]>,
 }
 
 /// What became of a bad triangle.
@@ -72,6 +74,7 @@ impl<'a> Refinement<'a> {
             delaunay,
             segments,
             acute: boundary.acute,
+            good: HashSet::new(),
         })
     }
 
@@ -89,6 +92,7 @@ impl<'a> Refinement<'a> {
     /// Triangulates anew with the nodes moved to `points`.
     pub(crate) fn moved(&mut self, points: &[Point]) -> Result<(), ContourError> {
         self.delaunay = triangulated(points, &self.segments)?;
+        self.good.clear();
         Ok(())
     }
 
@@ -108,7 +112,7 @@ impl<'a> Refinement<'a> {
         let worst = bad.first().map_or([[0.0; 2]; 3], |t| self.positions(*t));
         Err(ContourError::Incomplete {
             cells: bad.len(),
-            angle: least_angle(worst),
+            angle: least_sine(worst).asin(),
             at: worst[0],
         })
     }
@@ -157,13 +161,20 @@ impl<'a> Refinement<'a> {
     }
 
     /// Bad triangles, the worst first.
-    fn bad(&self) -> Vec<[usize; 3]> {
-        let mut bad: Vec<(f64, [usize; 3])> = self
-            .triangles()
-            .into_iter()
-            .filter_map(|triangle| Some((self.badness(triangle)?, triangle)))
-            .collect();
-        bad.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    fn bad(&mut self) -> Vec<[usize; 3]> {
+        let mut bad = Vec::new();
+        for triangle in self.triangles() {
+            if self.good.contains(&triangle) {
+                continue;
+            }
+            match self.badness(triangle) {
+                Some(badness) => bad.push((badness, triangle)),
+                None => {
+                    self.good.insert(triangle);
+                }
+            }
+        }
+        bad.sort_by(|a: &(f64, _), b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         bad.into_iter().map(|(_, triangle)| triangle).collect()
     }
 
@@ -173,7 +184,7 @@ impl<'a> Refinement<'a> {
         let (_, radius) = circumcircle(corners);
         let middle = [0, 1].map(|c| corners.iter().map(|p| p[c]).sum::<f64>() / 3.0);
         let size = radius / (ROUGH * self.plan.size.at(middle));
-        let shape = FLAT / least_angle(corners);
+        let shape = FLAT / least_sine(corners);
         let forced = triangle.iter().any(|node| self.acute.contains(node));
         let worst = if forced { size } else { size.max(shape) };
         (worst > 1.0).then_some(worst)

@@ -7,7 +7,6 @@ use stickslip_fem_core::mesh::Point;
 
 use super::{Contour, Hole};
 use crate::ContourError;
-use crate::curve::Track;
 use crate::plan::Outline;
 use crate::vector::distance;
 
@@ -24,7 +23,7 @@ const CUSP: f64 = 0.01;
 /// Fewest angles of a hole.
 const FEWEST_ANGLES: usize = 8;
 
-/// Widest interval between angles of a hole `[rad]`: T6 cells next to it then keep a positive Jacobian.
+/// Widest interval between angles of a hole `[rad]`: T6 cells with angles above 28.2° beside it are not folded.
 const WIDEST_INTERVAL: f64 = FRAC_PI_3 + 1e-9;
 
 /// Checks a contour and resolves its pieces.
