@@ -89,8 +89,11 @@ impl<'a> Corners<'a> {
             triangles: refinement.triangles(),
             rims: Vec::new(),
         };
-        let mut outer: Vec<Vec<usize>> =
-            plan.rings.iter().map(|ring| vec![0; ring.angles.len()]).collect();
+        let mut outer: Vec<Vec<usize>> = plan
+            .rings
+            .iter()
+            .map(|ring| vec![0; ring.angles.len()])
+            .collect();
         for segment in refinement.segments() {
             match segment.origin {
                 Origin::Piece {
@@ -144,7 +147,8 @@ impl<'a> Corners<'a> {
     /// Adds two triangles, cut along the shorter diagonal.
     fn quadrilateral(&mut self, nodes: [usize; 4]) {
         let cells = cut(nodes.map(|node| self.points[node]));
-        self.triangles.extend(cells.map(|cell| cell.map(|n| nodes[n])));
+        self.triangles
+            .extend(cells.map(|cell| cell.map(|n| nodes[n])));
     }
 }
 

@@ -113,8 +113,9 @@ impl Track {
     /// Unit vectors along the walk at its beginning and end.
     pub(crate) fn tangents(&self) -> [Point; 2] {
         match self.bend {
-            Some(b) => [b.start, b.start + b.sweep]
-                .map(|angle| unit(angle + FRAC_PI_2.copysign(b.sweep))),
+            Some(b) => {
+                [b.start, b.start + b.sweep].map(|angle| unit(angle + FRAC_PI_2.copysign(b.sweep)))
+            }
             None => [minus(self.to, self.from).map(|c| c / self.length); 2],
         }
     }
@@ -180,13 +181,11 @@ impl Track {
         let (u, v) = (minus(self.from, point), minus(self.to, point));
         let chord = cross(u, v).atan2(dot(u, v));
         let Some(b) = self.bend else { return chord };
-        // Between the chord and the arc, the arc passes on the other side of the point.
-        let side = orient(self.from, self.to, point) * b.sweep;
-        if side < 0.0 && distance(point, b.centre) < b.radius {
-            chord + TAU.copysign(b.sweep)
-        } else {
-            chord
+        if distance(point, b.centre) >= b.radius {
+            return chord;
         }
+        // From inside its circle the arc turns all the way round on its side of the chord, from 0 to 2π.
+        (chord * b.sweep.signum()).rem_euclid(TAU) * b.sweep.signum()
     }
 
     /// Whether both lie on one line or one circle, to `tolerance` `[length]`.
@@ -196,9 +195,9 @@ impl Track {
                 distance(a.centre, b.centre) <= tolerance
                     && (a.radius - b.radius).abs() <= tolerance
             }
-            (None, None) => [other.from, other.to].into_iter().all(|p| {
-                orient(self.from, self.to, p).abs() <= tolerance * self.length
-            }),
+            (None, None) => [other.from, other.to]
+                .into_iter()
+                .all(|p| orient(self.from, self.to, p).abs() <= tolerance * self.length),
             _ => false,
         }
     }

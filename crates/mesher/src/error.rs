@@ -82,7 +82,9 @@ pub enum ContourError {
         piece: String,
     },
     /// The body would be on the right of the outline.
-    #[error("the outline is clockwise (its signed area is {area}); reverse the order of its pieces")]
+    #[error(
+        "the outline is clockwise (its signed area is {area}); reverse the order of its pieces"
+    )]
     Clockwise {
         /// Signed area of the outline `[length²]`.
         area: f64,

@@ -125,9 +125,9 @@ fn good(rows: &[Vec<Point>], angles: &[f64]) -> bool {
     })
 }
 
-/// Corners of the two triangles of a quadrilateral cut along its shorter diagonal.
+/// Corners of the two triangles of a quadrilateral cut along its shorter diagonal, from the first corner if both are equal to rounding.
 pub(crate) fn cut([a, b, c, d]: [Point; 4]) -> [[usize; 3]; 2] {
-    if distance(a, c) <= distance(b, d) {
+    if distance(a, c) <= (1.0 + 1e-9) * distance(b, d) {
         [[0, 1, 2], [0, 2, 3]]
     } else {
         [[0, 1, 3], [1, 2, 3]]

@@ -71,8 +71,10 @@ impl Size {
             })
             .filter(|&(_, size)| size < cap)
             .collect();
-        let mut clusters: Vec<Cluster> =
-            rings.iter().map(|ring| Cluster::new(around(ring))).collect();
+        let mut clusters: Vec<Cluster> = rings
+            .iter()
+            .map(|ring| Cluster::new(around(ring)))
+            .collect();
         let corners = (0..outline.tracks.len()).flat_map(|k| corner(outline, k));
         clusters.extend(corners.filter(|c| c.least < cap));
         clusters.extend(gaps(contour, outline, rings));
@@ -169,9 +171,7 @@ fn gaps(contour: &Contour, outline: &Outline, rings: &[Ring]) -> Vec<Cluster> {
                 let near = [0, 1].map(|c| other.centre[c] + t * (point[c] - other.centre[c]));
                 (middle(near, point), reach - other.radius)
             });
-            let (at, width) = pieces
-                .chain(holes)
-                .min_by(|a, b| a.1.total_cmp(&b.1))?;
+            let (at, width) = pieces.chain(holes).min_by(|a, b| a.1.total_cmp(&b.1))?;
             // Edges on the hole are given: cells much smaller than them beside them are flat.
             let size = (width / ACROSS_GAP).max(chord / 2.0);
             (width < 2.0 * ACROSS_GAP * chord).then_some((at, size))

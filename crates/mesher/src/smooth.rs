@@ -21,7 +21,7 @@ pub(crate) fn smooth(refinement: &mut Refinement<'_>) -> Result<(), ContourError
         refinement.moved(&points)?;
         refinement.refine()?;
     }
-    Ok(())
+    refinement.accepted()
 }
 
 fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>) {
@@ -36,7 +36,9 @@ fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>)
             continue;
         }
         let worst = |at: Point| {
-            let sines = star.iter().map(|&[a, b]| least_sine([at, points[a], points[b]]));
+            let sines = star
+                .iter()
+                .map(|&[a, b]| least_sine([at, points[a], points[b]]));
             sines.fold(f64::INFINITY, f64::min)
         };
         let now = points[node];

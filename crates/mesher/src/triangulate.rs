@@ -20,6 +20,12 @@ const ROUGH: f64 = 0.65;
 /// Sine of the least angle asked for, 28°.
 const FLAT: f64 = 0.469;
 
+/// Cosine of the largest angle, 120°, at which a new node may see a fixed edge (Shewchuk's diametral lens).
+const LENS: f64 = -0.5;
+
+/// Sine of the least angle accepted where fixed edges force it, 5°.
+const FLATTEST: f64 = 0.0872;
+
 /// Shortest distance of a new node from others, in sizes.
 const CLOSEST: f64 = 0.1;
 
@@ -109,12 +115,36 @@ impl<'a> Refinement<'a> {
             }
         }
         let bad = self.bad();
-        let worst = bad.first().map_or([[0.0; 2]; 3], |t| self.positions(*t));
-        Err(ContourError::Incomplete {
+        Err(self.incomplete(&bad))
+    }
+
+    /// Refuses cells that fixed edges made flatter than [`FLATTEST`].
+    pub(crate) fn accepted(&self) -> Result<(), ContourError> {
+        let triangles = self.triangles().into_iter();
+        let flat =
+            |t: &[usize; 3]| !self.at_acute_corner(*t) && least_sine(self.positions(*t)) < FLATTEST;
+        let flat: Vec<[usize; 3]> = triangles.filter(flat).collect();
+        if flat.is_empty() {
+            Ok(())
+        } else {
+            Err(self.incomplete(&flat))
+        }
+    }
+
+    /// The error of cells that stayed bad.
+    fn incomplete(&self, bad: &[[usize; 3]]) -> ContourError {
+        let worst = bad.iter().map(|t| self.positions(*t));
+        let worst = worst.min_by(|a, b| least_sine(*a).total_cmp(&least_sine(*b)));
+        let worst = worst.unwrap_or_default();
+        ContourError::Incomplete {
             cells: bad.len(),
             angle: least_sine(worst).asin(),
             at: worst[0],
-        })
+        }
+    }
+
+    fn at_acute_corner(&self, triangle: [usize; 3]) -> bool {
+        triangle.iter().any(|node| self.acute.contains(node))
     }
 
     /// Triangles of the body, each from its smallest node counter-clockwise, sorted.
@@ -185,8 +215,11 @@ impl<'a> Refinement<'a> {
         let middle = [0, 1].map(|c| corners.iter().map(|p| p[c]).sum::<f64>() / 3.0);
         let size = radius / (ROUGH * self.plan.size.at(middle));
         let shape = FLAT / least_sine(corners);
-        let forced = triangle.iter().any(|node| self.acute.contains(node));
-        let worst = if forced { size } else { size.max(shape) };
+        let worst = if self.at_acute_corner(triangle) {
+            size
+        } else {
+            size.max(shape)
+        };
         (worst > 1.0).then_some(worst)
     }
 
@@ -233,9 +266,7 @@ impl<'a> Refinement<'a> {
         for _ in 0..WALK {
             let leaves = face.adjacent_edges().into_iter().find(|edge| {
                 let [p, q] = edge.positions().map(plain);
-                orient(p, q, to) < 0.0
-                    && orient(start, to, p) <= 0.0
-                    && orient(start, to, q) >= 0.0
+                orient(p, q, to) < 0.0 && orient(start, to, p) <= 0.0 && orient(start, to, q) >= 0.0
             });
             let Some(edge) = leaves else {
                 return Found::Face(face.fix());
@@ -262,8 +293,16 @@ impl<'a> Refinement<'a> {
                 let [p, q] = edge.positions().map(plain);
                 nearest = nearest.min(distance(p, point));
                 if edge.is_constraint_edge() {
-                    if dot(minus(p, point), minus(q, point)) < 0.0 {
-                        encroached.push(edge.vertices().map(|vertex| vertex.index()));
+                    let ends = edge.vertices().map(|vertex| vertex.index());
+                    let fixed = self.segments.get(&key(ends)).is_none_or(Segment::fixed);
+                    let (u, v) = (minus(p, point), minus(q, point));
+                    let least = if fixed {
+                        LENS * dot(u, u).sqrt() * dot(v, v).sqrt()
+                    } else {
+                        0.0
+                    };
+                    if dot(u, v) < least {
+                        encroached.push(ends);
                     }
                     continue;
                 }
@@ -332,7 +371,9 @@ impl<'a> Refinement<'a> {
             return Ok(false);
         }
         let handles = segment.ends.map(FixedVertexHandle::from_index);
-        let edge = self.delaunay.get_edge_from_neighbors(handles[0], handles[1]);
+        let edge = self
+            .delaunay
+            .get_edge_from_neighbors(handles[0], handles[1]);
         let Some(edge) = edge.map(|edge| edge.as_undirected().fix()) else {
             return Ok(false);
         };
@@ -426,6 +467,12 @@ fn plain(position: Point2<f64>) -> Point {
 
 /// The position of a node; what is too small for the exact predicates is 0 there.
 fn position(point: Point) -> Point2<f64> {
-    let [x, y] = point.map(|c| if c.abs() < spade::MIN_ALLOWED_VALUE { 0.0 } else { c });
+    let [x, y] = point.map(|c| {
+        if c.abs() < spade::MIN_ALLOWED_VALUE {
+            0.0
+        } else {
+            c
+        }
+    });
     Point2::new(x, y)
 }

@@ -48,7 +48,9 @@ pub(crate) fn rectangle(width: f64, height: f64, holes: Vec<Hole>) -> Contour {
 
 pub(crate) fn polygon(corners: &[Point]) -> Contour {
     let ends = corners.iter().cycle().skip(1).take(corners.len());
-    let pieces = ends.enumerate().map(|(k, &to)| line(&format!("edge {k}"), to));
+    let pieces = ends
+        .enumerate()
+        .map(|(k, &to)| line(&format!("edge {k}"), to));
     Contour {
         start: corners[0],
         pieces: pieces.collect(),
@@ -61,7 +63,14 @@ pub(crate) fn strip() -> Contour {
 }
 
 pub(crate) fn row_of_five() -> Contour {
-    let holes = (0..5).map(|k| hole(&format!("hole {k}"), [1.0 + 1.5 * f64::from(k), 1.0], 0.25, 48));
+    let holes = (0..5).map(|k| {
+        hole(
+            &format!("hole {k}"),
+            [1.0 + 1.5 * f64::from(k), 1.0],
+            0.25,
+            48,
+        )
+    });
     rectangle(8.0, 2.0, holes.collect())
 }
 
@@ -71,7 +80,9 @@ pub(crate) fn pattern() -> Contour {
     rectangle(
         8.0,
         3.5,
-        holes.map(|(k, at)| hole(&format!("hole {k}"), at, 0.3, 60)).collect(),
+        holes
+            .map(|(k, at)| hole(&format!("hole {k}"), at, 0.3, 60))
+            .collect(),
     )
 }
 
@@ -114,7 +125,14 @@ pub(crate) fn rounded() -> Contour {
 }
 
 pub(crate) fn angle_plate() -> Contour {
-    polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [1.0, 1.0], [1.0, 4.0], [0.0, 4.0]])
+    polygon(&[
+        [0.0, 0.0],
+        [4.0, 0.0],
+        [4.0, 1.0],
+        [1.0, 1.0],
+        [1.0, 4.0],
+        [0.0, 4.0],
+    ])
 }
 
 /// A triangle with an acute corner of 20° at the origin.
