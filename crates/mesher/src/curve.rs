@@ -131,24 +131,19 @@ impl Track {
 
     /// The nearest point of the track.
     pub(crate) fn nearest(&self, point: Point) -> Point {
-        match self.bend {
-            Some(b) => {
-                let v = minus(point, b.centre);
-                let r = v[0].hypot(v[1]);
-                if r > 0.0 && b.holds(v) {
-                    return along(b.centre, b.radius / r, v);
-                }
-                if distance(point, self.from) <= distance(point, self.to) {
-                    self.from
-                } else {
-                    self.to
-                }
-            }
-            None => {
-                let d = minus(self.to, self.from);
-                let t = dot(minus(point, self.from), d) / (self.length * self.length);
-                self.at(t.clamp(0.0, 1.0) * self.length)
-            }
+        let Some(b) = self.bend else {
+            let d = minus(self.to, self.from);
+            let t = dot(minus(point, self.from), d) / (self.length * self.length);
+            return self.at(t.clamp(0.0, 1.0) * self.length);
+        };
+        let v = minus(point, b.centre);
+        let r = v[0].hypot(v[1]);
+        if r > 0.0 && b.holds(v) {
+            along(b.centre, b.radius / r, v)
+        } else if distance(point, self.from) <= distance(point, self.to) {
+            self.from
+        } else {
+            self.to
         }
     }
 

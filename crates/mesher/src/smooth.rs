@@ -1,15 +1,22 @@
 //! Smoothing: inner nodes move where the least angle of the cells around them grows.
 
 use std::collections::BTreeSet;
+use std::f64::consts::FRAC_PI_4;
 
 use stickslip_fem_core::mesh::Point;
 
 use crate::ContourError;
 use crate::triangulate::Refinement;
-use crate::vector::{circumcircle, least_sine, middle, orient};
+use crate::vector::{along, circumcircle, distance, least_sine, middle, orient, unit};
 
 /// Passes of smoothing, each followed by a new triangulation.
 const PASSES: usize = 6;
+
+/// Sine of the least angle, 32°, below which the best place of a node is searched for.
+const POOR: f64 = 0.53;
+
+/// Steps of that search.
+const SEARCH: usize = 12;
 
 /// Moves inner nodes and triangulates anew, and refines what became bad.
 pub(crate) fn smooth(refinement: &mut Refinement<'_>) -> Result<(), ContourError> {
@@ -36,24 +43,50 @@ fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>)
             continue;
         }
         let worst = |at: Point| {
-            let sines = star
-                .iter()
-                .map(|&[a, b]| least_sine([at, points[a], points[b]]));
-            sines.fold(f64::INFINITY, f64::min)
+            let cells = star.iter().map(|&[a, b]| [at, points[a], points[b]]);
+            cells.map(least_sine).fold(f64::INFINITY, f64::min)
         };
         let now = points[node];
         let targets = [mean(star, points), weighted_circumcentre(now, star, points)];
-        let steps = targets.into_iter().flat_map(|to| [to, middle(now, to)]);
-        let (mut best, mut at) = (worst(now), now);
-        for to in steps {
-            // A target that is not finite has a sine of NaN, which exceeds nothing.
-            let sine = worst(to);
-            if sine > best {
-                (best, at) = (sine, to);
-            }
+        let tries = targets.into_iter().flat_map(|to| [to, middle(now, to)]);
+        let mut best = better((worst(now), now), tries, worst);
+        if best.0 < POOR {
+            let sides = star.iter().map(|ends| distance(now, points[ends[0]]));
+            best = searched(best, sides.fold(f64::INFINITY, f64::min), worst);
         }
-        points[node] = at;
+        points[node] = best.1;
     }
+}
+
+/// The best of a place and others, by a measure.
+fn better(
+    first: (f64, Point),
+    others: impl Iterator<Item = Point>,
+    worst: impl Fn(Point) -> f64,
+) -> (f64, Point) {
+    others.fold(first, |best, at| {
+        let found = worst(at);
+        // A place that is not finite has a sine of NaN, which exceeds nothing.
+        if found > best.0 { (found, at) } else { best }
+    })
+}
+
+/// The best place by a pattern search of eight directions with halving steps, the first a quarter of `reach`.
+fn searched(
+    mut best: (f64, Point),
+    reach: f64,
+    worst: impl Fn(Point) -> f64 + Copy,
+) -> (f64, Point) {
+    let mut step = reach / 4.0;
+    for _ in 0..SEARCH {
+        let from = best.1;
+        let around = (0..8).map(|k| along(from, step, unit(f64::from(k) * FRAC_PI_4)));
+        best = better(best, around, worst);
+        if best.1 == from {
+            step /= 2.0;
+        }
+    }
+    best
 }
 
 /// Mean of the neighbours, each of which begins one edge of the star.
