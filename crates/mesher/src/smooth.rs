@@ -10,7 +10,13 @@ use crate::triangulate::Refinement;
 use crate::vector::{along, circumcircle, distance, least_sine, middle, orient, unit};
 
 /// Passes of smoothing, each followed by a new triangulation.
-const PASSES: usize = 6;
+const PASSES: usize = 5;
+
+/// Passes at most, while cells are below [`GOOD`].
+const MOST_PASSES: usize = 12;
+
+/// Sine of the least angle, 30°, that ends smoothing.
+const GOOD: f64 = 0.5;
 
 /// Sine of the least angle, 32°, below which the best place of a node is searched for.
 const POOR: f64 = 0.53;
@@ -18,16 +24,25 @@ const POOR: f64 = 0.53;
 /// Steps of that search.
 const SEARCH: usize = 12;
 
-/// Moves inner nodes and triangulates anew, and refines what became bad.
+/// Moves inner nodes and triangulates anew, refines what became bad, and keeps the best state.
 pub(crate) fn smooth(refinement: &mut Refinement<'_>) -> Result<(), ContourError> {
-    for _ in 0..PASSES {
+    let mut best = refinement.state();
+    for done in 1..=MOST_PASSES {
         let mut points = refinement.points();
         let triangles = refinement.triangles();
         let fixed: BTreeSet<usize> = refinement.segments().flat_map(|s| s.ends).collect();
         pass(&mut points, &triangles, &fixed);
         refinement.moved(&points)?;
         refinement.refine()?;
+        let state = refinement.state();
+        if state.least_sine >= best.least_sine {
+            best = state;
+        }
+        if done >= PASSES && best.least_sine > GOOD {
+            break;
+        }
     }
+    refinement.restore(best)?;
     refinement.accepted()
 }
 

@@ -51,6 +51,14 @@ pub(crate) struct Refinement<'a> {
     good: HashSet<[usize; 3]>,
 }
 
+/// What a triangulation can be made from again.
+pub(crate) struct State {
+    /// Sine of the least angle.
+    pub(crate) least_sine: f64,
+    points: Vec<Point>,
+    segments: BTreeMap<[usize; 2], Segment>,
+}
+
 /// What became of a bad triangle.
 enum Outcome {
     Changed,
@@ -88,6 +96,25 @@ impl<'a> Refinement<'a> {
     pub(crate) fn points(&self) -> Vec<Point> {
         let vertices = self.delaunay.vertices();
         vertices.map(|vertex| plain(vertex.position())).collect()
+    }
+
+    /// Nodes and boundary edges, with the shape of the worst cell away from acute corners.
+    pub(crate) fn state(&self) -> State {
+        let triangles = self.triangles().into_iter();
+        let shapes = triangles
+            .filter(|t| !self.at_acute_corner(*t))
+            .map(|t| least_sine(self.positions(t)));
+        State {
+            least_sine: shapes.fold(f64::INFINITY, f64::min),
+            points: self.points(),
+            segments: self.segments.clone(),
+        }
+    }
+
+    /// Goes back to a state.
+    pub(crate) fn restore(&mut self, state: State) -> Result<(), ContourError> {
+        self.segments = state.segments;
+        self.moved(&state.points)
     }
 
     /// Boundary edges, sorted.
