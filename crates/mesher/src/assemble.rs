@@ -153,6 +153,9 @@ impl<'a> Corners<'a> {
 }
 
 /// Adds the inner nodes of edges, on the true curve of the boundary, and returns the connectivity of T6.
+///
+/// A curved edge of an angle 2φ folds its cell where the tangent of an angle at its ends is below 2 tan(φ/2). Arcs of the outline have
+/// edges of 15°, which fold no cell with angles above 7.5°; rings see to theirs, and `Mesh::new` to what is left.
 fn quadratic(corners: &mut Corners<'_>) -> Vec<usize> {
     let key = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
     let rims = corners.rims.iter();

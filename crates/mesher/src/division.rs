@@ -74,10 +74,18 @@ impl ContourMesh {
         if nodes / 4 > limit {
             return Err(ContourError::TooLarge { nodes, limit });
         }
-        let boundary = Boundary::new(&plan, limit)?;
-        let mut refinement = Refinement::new(&plan, boundary, limit)?;
-        refinement.refine()?;
-        smooth(&mut refinement)?;
+        // A triangulation has at least as many edges as corners, and T6 a node on each.
+        let corners = match self.division.kind {
+            ElementKind::T6 => limit / 2,
+            _ => limit,
+        };
+        let refinement = refined(&plan, corners).map_err(|error| match error {
+            ContourError::TooLarge { nodes, .. } => ContourError::TooLarge {
+                nodes: nodes.saturating_mul(limit / corners.max(1)),
+                limit,
+            },
+            other => other,
+        })?;
         assembled(&plan, &refinement, &self.division, limit)
     }
 
@@ -95,6 +103,15 @@ impl ContourMesh {
             elements: cells as usize,
         }
     }
+}
+
+/// The triangulation with at most `limit` corners.
+fn refined(plan: &Plan, limit: usize) -> Result<Refinement<'_>, ContourError> {
+    let boundary = Boundary::new(plan, limit)?;
+    let mut refinement = Refinement::new(plan, boundary, limit)?;
+    refinement.refine()?;
+    smooth(&mut refinement)?;
+    Ok(refinement)
 }
 
 impl Generate for ContourMesh {

@@ -44,6 +44,24 @@ fn the_limit_is_exact() {
     }
 }
 
+/// A limit passed during refinement is reported as the limit of all nodes.
+#[test]
+fn the_limit_reported_is_the_one_given() {
+    let description = of_kind(strip(), ElementKind::T6);
+    let estimate = description.estimate().expect("an estimate").nodes;
+    for limit in [estimate / 3, 100, 0] {
+        let error = description.mesh(limit).expect_err("a refusal");
+        let ContourError::TooLarge {
+            nodes,
+            limit: given,
+        } = error
+        else {
+            panic!("{error}");
+        };
+        assert!(given == limit && nodes > limit, "{nodes} {given}");
+    }
+}
+
 /// What is far too fine is refused before it is begun.
 #[test]
 fn hopeless_spacings_are_refused() {
