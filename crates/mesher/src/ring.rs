@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 use stickslip_fem_core::mesh::Point;
 
 use crate::contour::Hole;
-use crate::plan::Outline;
+use crate::outline::Outline;
 use crate::vector::{along, distance, least_sine, unit};
 
 /// Layers unless more or fewer are asked for.

@@ -1,10 +1,8 @@
 //! Constrained Delaunay refinement by circumcentres.
-//!
-//! A triangle is bad if its circumradius exceeds [`ROUGH`] h or the sine of its least angle is below [`FLAT`]. Its circumcentre becomes a node unless
-//! a boundary edge hides it or has it in its diametral circle; such an edge is halved on its true curve, unless it is fixed.
 
 mod delaunay;
 mod mend;
+mod rounds;
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -15,22 +13,12 @@ use stickslip_fem_core::mesh::Point;
 use crate::ContourError;
 use crate::edges::{Boundary, Segment};
 use crate::plan::Plan;
-use crate::vector::{circumcircle, least_sine};
+use crate::vector::least_sine;
 
 use delaunay::{Delaunay, key, plain, triangulated};
-use mend::Outcome;
-
-/// Largest circumradius in sizes; equilateral cells of side h have 0.577.
-const ROUGH: f64 = 0.65;
-
-/// Sine of the least angle asked for, 28°.
-const FLAT: f64 = 0.469;
 
 /// Sine of the least angle accepted where fixed edges force it, 5°.
 const FLATTEST: f64 = 0.0872;
-
-/// Rounds before refinement is given up.
-const ROUNDS: usize = 200;
 
 /// A triangulation under refinement. Nodes are numbered as they were added.
 pub(crate) struct Refinement<'a> {
@@ -108,22 +96,6 @@ impl<'a> Refinement<'a> {
         Ok(())
     }
 
-    /// Inserts nodes until no triangle is bad that could be mended.
-    pub(crate) fn refine(&mut self) -> Result<(), ContourError> {
-        for _ in 0..ROUNDS {
-            let bad = self.bad();
-            let mut changed = self.split_encroached()?;
-            for triangle in &bad {
-                changed |= matches!(self.mend(*triangle)?, Outcome::Changed);
-            }
-            if !changed {
-                return Ok(());
-            }
-        }
-        let bad = self.bad();
-        Err(self.incomplete(&bad))
-    }
-
     /// Refuses cells that fixed edges made flatter than [`FLATTEST`].
     pub(crate) fn accepted(&self) -> Result<(), ContourError> {
         let triangles = self.triangles().into_iter();
@@ -194,39 +166,6 @@ impl<'a> Refinement<'a> {
             }
         }
         level.into_iter().map(|l| l == Some(true)).collect()
-    }
-
-    /// Bad triangles, the worst first.
-    fn bad(&mut self) -> Vec<[usize; 3]> {
-        let mut bad = Vec::new();
-        for triangle in self.triangles() {
-            if self.good.contains(&triangle) {
-                continue;
-            }
-            match self.badness(triangle) {
-                Some(badness) => bad.push((badness, triangle)),
-                None => {
-                    self.good.insert(triangle);
-                }
-            }
-        }
-        bad.sort_by(|a: &(f64, _), b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        bad.into_iter().map(|(_, triangle)| triangle).collect()
-    }
-
-    /// How bad a triangle is, if it is.
-    fn badness(&self, triangle: [usize; 3]) -> Option<f64> {
-        let corners = self.positions(triangle);
-        let (_, radius) = circumcircle(corners);
-        let middle = [0, 1].map(|c| corners.iter().map(|p| p[c]).sum::<f64>() / 3.0);
-        let size = radius / (ROUGH * self.plan.size.at(middle));
-        let shape = FLAT / least_sine(corners);
-        let worst = if self.at_acute_corner(triangle) {
-            size
-        } else {
-            size.max(shape)
-        };
-        (worst > 1.0).then_some(worst)
     }
 
     fn positions(&self, triangle: [usize; 3]) -> [Point; 3] {
