@@ -85,6 +85,23 @@ fn moved_turned_and_mirrored_bodies_have_like_meshes() {
     }
 }
 
+/// Units of length and far origins do not matter.
+#[test]
+fn scaled_bodies_have_like_meshes() {
+    let reference = meshed(lug(72), ElementKind::T6);
+    for (scale, away) in [(1e-6, 0.0), (1e6, 0.0), (1e-12, 0.0), (1.0, 1e7)] {
+        let mut contour = mapped(&lug(72), |p| p.map(|c| scale * c + away), |a| a);
+        contour.holes[0].radius *= scale;
+        let mesh = meshed(contour, ElementKind::T6);
+        assert!(quality(&mesh).least_angle.to_degrees() > 25.0);
+        let nodes = [&reference, &mesh].map(|mesh| mesh.nodes().len() as f64);
+        assert!(
+            (nodes[1] / nodes[0] - 1.0).abs() < 0.03,
+            "{scale} {away}: {nodes:?}"
+        );
+    }
+}
+
 #[test]
 fn the_centre_moves_everything() {
     let by = [12.5, -3.25];
