@@ -4,7 +4,6 @@ mod check;
 
 use stickslip_fem_core::mesh::Point;
 
-use crate::ContourError;
 use crate::curve::Track;
 use crate::vector::{NOWHERE, grown};
 
@@ -48,14 +47,6 @@ pub struct Contour {
 }
 
 impl Contour {
-    /// Refuses what does not bound a body.
-    ///
-    /// # Errors
-    /// The first defect found, of [`ContourError`]: numbers, names, lengths, closure, direction, crossings, cusps, holes.
-    pub fn check(&self) -> Result<(), ContourError> {
-        checked(self).map(|_| ())
-    }
-
     /// Smallest and largest corner of the box around the outline `[length]`; arcs that three points do not define count as lines.
     pub fn bounds(&self) -> [Point; 2] {
         let box_of = |all: [Point; 2], track: &Track| {

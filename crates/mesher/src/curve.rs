@@ -131,24 +131,19 @@ impl Track {
 
     /// The nearest point of the track.
     pub(crate) fn nearest(&self, point: Point) -> Point {
-        match self.bend {
-            Some(b) => {
-                let v = minus(point, b.centre);
-                let r = v[0].hypot(v[1]);
-                if r > 0.0 && b.holds(v) {
-                    return along(b.centre, b.radius / r, v);
-                }
-                if distance(point, self.from) <= distance(point, self.to) {
-                    self.from
-                } else {
-                    self.to
-                }
-            }
-            None => {
-                let d = minus(self.to, self.from);
-                let t = dot(minus(point, self.from), d) / (self.length * self.length);
-                self.at(t.clamp(0.0, 1.0) * self.length)
-            }
+        let Some(b) = self.bend else {
+            let d = minus(self.to, self.from);
+            let t = dot(minus(point, self.from), d) / (self.length * self.length);
+            return self.at(t.clamp(0.0, 1.0) * self.length);
+        };
+        let v = minus(point, b.centre);
+        let r = v[0].hypot(v[1]);
+        if r > 0.0 && b.holds(v) {
+            along(b.centre, b.radius / r, v)
+        } else if distance(point, self.from) <= distance(point, self.to) {
+            self.from
+        } else {
+            self.to
         }
     }
 
@@ -181,13 +176,11 @@ impl Track {
         let (u, v) = (minus(self.from, point), minus(self.to, point));
         let chord = cross(u, v).atan2(dot(u, v));
         let Some(b) = self.bend else { return chord };
-        // Between the chord and the arc, the arc passes on the other side of the point.
-        let side = orient(self.from, self.to, point) * b.sweep;
-        if side < 0.0 && distance(point, b.centre) < b.radius {
-            chord + TAU.copysign(b.sweep)
-        } else {
-            chord
+        if distance(point, b.centre) >= b.radius {
+            return chord;
         }
+        // From inside its circle the arc turns all the way round on its side of the chord, from 0 to 2π.
+        (chord * b.sweep.signum()).rem_euclid(TAU) * b.sweep.signum()
     }
 
     /// Whether both lie on one line or one circle, to `tolerance` `[length]`.

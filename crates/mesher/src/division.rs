@@ -1,16 +1,8 @@
-//! How finely a contour is divided, and its mesh.
+//! How finely a contour is divided.
 
 use std::collections::BTreeMap;
 
-use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate};
-use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
-
-use crate::assemble::assembled;
-use crate::edges::Boundary;
-use crate::plan::Plan;
-use crate::smooth::smooth;
-use crate::triangulate::Refinement;
-use crate::{Contour, ContourError};
+use stickslip_fem_core::mesh::{ElementKind, Point};
 
 /// How finely a contour is divided.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,75 +30,5 @@ impl Default for Division {
             fine: BTreeMap::new(),
             centre: [0.0; 2],
         }
-    }
-}
-
-/// A contour and its division: a body that can be meshed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ContourMesh {
-    /// The body.
-    pub contour: Contour,
-    /// Its cells.
-    pub division: Division,
-}
-
-impl ContourMesh {
-    /// Checks the contour and its division without a mesh.
-    ///
-    /// # Errors
-    /// As [`Contour::check`], and [`ContourError`] of a division: kind, growth, spacings, names of fine pieces.
-    pub fn check(&self) -> Result<(), ContourError> {
-        Plan::new(&self.contour, &self.division).map(|_| ())
-    }
-
-    /// Meshes with at most `limit` nodes; [`Generate::generate_within`] with errors in detail.
-    ///
-    /// One edge set per name of a piece or hole, with its exact curve; every boundary edge is in exactly one. Cells have the body on
-    /// the left of their edges.
-    ///
-    /// # Errors
-    /// As [`ContourMesh::check`]; [`ContourError::TooLarge`] as soon as the limit is passed; [`ContourError::Incomplete`] if cells
-    /// stay large or flat; [`ContourError::Mesh`] if curved cells are folded.
-    pub fn mesh(&self, limit: usize) -> Result<Mesh, ContourError> {
-        let plan = Plan::new(&self.contour, &self.division)?;
-        let MeshEstimate { nodes, .. } = self.estimated(&plan);
-        // The estimate is rather high; what it refuses would take long to refuse otherwise.
-        if nodes / 4 > limit {
-            return Err(ContourError::TooLarge { nodes, limit });
-        }
-        let boundary = Boundary::new(&plan, limit)?;
-        let mut refinement = Refinement::new(&plan, boundary, limit)?;
-        refinement.refine()?;
-        smooth(&mut refinement)?;
-        assembled(&plan, &refinement, &self.division, limit)
-    }
-
-    fn estimated(&self, plan: &Plan) -> MeshEstimate {
-        let (cells, corners) = plan.estimate(&self.division.fine);
-        let nodes = if self.division.kind == ElementKind::T6 {
-            // Edges are half as many again as cells, and half the boundary's.
-            corners + 1.5 * cells + corners.sqrt()
-        } else {
-            corners
-        };
-        // Casts saturate.
-        MeshEstimate {
-            nodes: nodes as usize,
-            elements: cells as usize,
-        }
-    }
-}
-
-impl Generate for ContourMesh {
-    type Output = Mesh;
-
-    /// An estimate from ∫ dA/h², rather high.
-    fn estimate(&self) -> Result<MeshEstimate, GenerateError> {
-        let plan = Plan::new(&self.contour, &self.division)?;
-        Ok(self.estimated(&plan))
-    }
-
-    fn generate_within(&self, limit: usize) -> Result<Mesh, GenerateError> {
-        Ok(self.mesh(limit)?)
     }
 }

@@ -30,6 +30,13 @@ pub(crate) struct Segment {
     pub(crate) origin: Origin,
 }
 
+impl Segment {
+    /// Whether it may not be split.
+    pub(crate) fn fixed(&self) -> bool {
+        !matches!(self.origin, Origin::Piece { open: true, .. })
+    }
+}
+
 /// The boundary of what is to be triangulated.
 #[derive(Debug)]
 pub(crate) struct Boundary {

@@ -49,10 +49,12 @@
 
 mod assemble;
 mod contour;
+mod contour_mesh;
 mod curve;
 mod division;
 mod edges;
 mod error;
+mod outline;
 mod plan;
 mod quality;
 mod ring;
@@ -62,6 +64,7 @@ mod triangulate;
 mod vector;
 
 pub use contour::{Contour, Hole, Piece};
-pub use division::{ContourMesh, Division};
+pub use contour_mesh::ContourMesh;
+pub use division::Division;
 pub use error::ContourError;
 pub use quality::{Quality, quality};

@@ -6,20 +6,19 @@
 //!
 //! with δₖ the mean interval of angles beside θₖ, so that cells are about square where Tₖ = R ((1 + δₖ)ⁿ − 1). Neighbours limit Tₖ.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use stickslip_fem_core::mesh::Point;
 
 use crate::contour::Hole;
-use crate::plan::Outline;
-use crate::vector::{along, distance, unit};
+use crate::outline::Outline;
+use crate::vector::{along, distance, least_sine, unit};
 
 /// Layers unless more or fewer are asked for.
 const LAYERS: usize = 3;
 
-/// Least mean thickness of a layer over the width of its cells on the hole; angles of such cells are above 25°, and a curved
-/// edge of π/3 does not fold them (its sagitta is 0.134 of its chord, a quarter of the thickness bounds it).
-const THINNEST: f64 = 0.6;
+/// Least angle of cells in a ring, 26° `[rad]`.
+const LEAST_ANGLE: f64 = 26.0 * PI / 180.0;
 
 /// Share of the gap to the outline that a ring may take.
 const SHARE_OUTLINE: f64 = 0.4;
@@ -29,9 +28,6 @@ const SHARE_HOLE: f64 = 1.0 / 3.0;
 
 /// Largest change of the thickness per length along the hole.
 const SLOPE: f64 = 0.3;
-
-/// Largest change of δ per angle.
-const SPACING_SLOPE: f64 = 0.3;
 
 /// The nodes around a hole.
 #[derive(Debug)]
@@ -65,15 +61,13 @@ impl Ring {
         let wanted = hole.layers.unwrap_or(LAYERS);
         let fitting = (1..=wanted).rev().find_map(|layers| {
             let thickness = thickness(hole, &widths, &limits, layers);
-            let enough =
-                |(t, width): (&f64, &f64)| *t >= THINNEST * layers as f64 * hole.radius * width;
-            let fits = thickness.iter().zip(&widths).all(enough);
-            fits.then_some((layers, thickness))
+            let rows = rows(hole, &widths, &thickness, layers);
+            good(&rows, &hole.angles).then_some((rows, thickness))
         });
-        let (layers, thickness) = fitting.unwrap_or((0, vec![0.0; widths.len()]));
-        let rows = (0..=layers)
-            .map(|j| row(hole, &widths, &thickness, j, layers))
-            .collect();
+        let (rows, thickness) = fitting.unwrap_or_else(|| {
+            let none = vec![0.0; widths.len()];
+            (rows(hole, &widths, &none, 0), none)
+        });
         let least = thickness.iter().copied().fold(f64::INFINITY, f64::min);
         Self {
             name: hole.name.clone(),
@@ -105,15 +99,39 @@ impl Ring {
     }
 }
 
-/// Mean width of the intervals beside each angle `[rad]`, smoothed to [`SPACING_SLOPE`].
+/// Mean width of the intervals beside each angle `[rad]`.
 fn widths(angles: &[f64]) -> Vec<f64> {
     let intervals = intervals(angles);
     let count = angles.len();
-    let mut widths: Vec<f64> = (0..count)
+    (0..count)
         .map(|k| f64::midpoint(intervals[k], intervals[(k + count - 1) % count]))
-        .collect();
-    limit_slope(&mut widths, &intervals, SPACING_SLOPE);
-    widths
+        .collect()
+}
+
+/// Whether all cells between rows have good angles, large enough that a curved edge folds no T6 cell: the tangent of an angle at
+/// the edge's ends must exceed four times its sagitta over its chord.
+fn good(rows: &[Vec<Point>], angles: &[f64]) -> bool {
+    let widest = intervals(angles).into_iter().fold(0.0, f64::max);
+    let folded = (2.0 * (widest / 4.0).tan()).atan();
+    let least = LEAST_ANGLE.max(folded).sin();
+    let count = angles.len();
+    rows.windows(2).all(|pair| {
+        (0..count).all(|k| {
+            let next = (k + 1) % count;
+            let corners = [pair[0][k], pair[1][k], pair[1][next], pair[0][next]];
+            let cells = cut(corners).map(|cell| cell.map(|n| corners[n]));
+            cells.into_iter().all(|cell| least_sine(cell) > least)
+        })
+    })
+}
+
+/// Corners of the two triangles of a quadrilateral cut along its shorter diagonal, from the first corner if both are equal to rounding.
+pub(crate) fn cut([a, b, c, d]: [Point; 4]) -> [[usize; 3]; 2] {
+    if distance(a, c) <= (1.0 + 1e-9) * distance(b, d) {
+        [[0, 1, 2], [0, 2, 3]]
+    } else {
+        [[0, 1, 3], [1, 2, 3]]
+    }
 }
 
 /// Interval after each angle `[rad]`.
@@ -148,17 +166,20 @@ fn thickness(hole: &Hole, widths: &[f64], limits: &[f64], layers: usize) -> Vec<
     list
 }
 
-/// Row `j` of `layers`.
-fn row(hole: &Hole, widths: &[f64], thickness: &[f64], j: usize, layers: usize) -> Vec<Point> {
+/// Rows of nodes from the hole outwards.
+fn rows(hole: &Hole, widths: &[f64], thickness: &[f64], layers: usize) -> Vec<Vec<Point>> {
     let sum = |width: f64, terms: usize| (terms as f64 * width.ln_1p()).exp_m1();
-    let rays = hole.angles.iter().zip(widths).zip(thickness);
-    rays.map(|((&angle, &width), &t)| {
-        let offset = match j {
-            0 => 0.0,
-            j if j == layers => t,
-            j => t * sum(width, j) / sum(width, layers),
-        };
-        along(hole.centre, hole.radius + offset, unit(angle))
-    })
-    .collect()
+    let row = |j: usize| {
+        let rays = hole.angles.iter().zip(widths).zip(thickness);
+        rays.map(|((&angle, &width), &t)| {
+            let offset = match j {
+                0 => 0.0,
+                j if j == layers => t,
+                j => t * sum(width, j) / sum(width, layers),
+            };
+            along(hole.centre, hole.radius + offset, unit(angle))
+        })
+        .collect()
+    };
+    (0..=layers).map(row).collect()
 }

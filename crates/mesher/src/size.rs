@@ -7,7 +7,7 @@ use stickslip_fem_core::mesh::Point;
 use crate::Division;
 use crate::contour::Contour;
 use crate::curve::{Track, gap};
-use crate::plan::Outline;
+use crate::outline::Outline;
 use crate::ring::Ring;
 use crate::vector::{NOWHERE, distance, grown, middle};
 

@@ -1,27 +1,49 @@
 //! Smoothing: inner nodes move where the least angle of the cells around them grows.
 
 use std::collections::BTreeSet;
+use std::f64::consts::FRAC_PI_4;
 
 use stickslip_fem_core::mesh::Point;
 
 use crate::ContourError;
 use crate::triangulate::Refinement;
-use crate::vector::{circumcircle, least_angle, middle, orient};
+use crate::vector::{along, circumcircle, distance, least_sine, middle, orient, unit};
 
 /// Passes of smoothing, each followed by a new triangulation.
-const PASSES: usize = 6;
+const PASSES: usize = 5;
 
-/// Moves inner nodes and triangulates anew, and refines what became bad.
+/// Passes at most, while cells are below [`GOOD`].
+const MOST_PASSES: usize = 12;
+
+/// Sine of the least angle, 30°, that ends smoothing.
+const GOOD: f64 = 0.5;
+
+/// Sine of the least angle, 32°, below which the best place of a node is searched for.
+const POOR: f64 = 0.53;
+
+/// Steps of that search.
+const SEARCH: usize = 12;
+
+/// Moves inner nodes and triangulates anew, refines what became bad, and keeps the best state.
 pub(crate) fn smooth(refinement: &mut Refinement<'_>) -> Result<(), ContourError> {
-    for _ in 0..PASSES {
+    let mut best = refinement.state();
+    for done in 1..=MOST_PASSES {
         let mut points = refinement.points();
         let triangles = refinement.triangles();
         let fixed: BTreeSet<usize> = refinement.segments().flat_map(|s| s.ends).collect();
         pass(&mut points, &triangles, &fixed);
         refinement.moved(&points)?;
         refinement.refine()?;
+        let state = refinement.state();
+        if state.least_sine >= best.least_sine {
+            best = state;
+        }
+        if done >= PASSES && best.least_sine > GOOD {
+            break;
+        }
     }
-    Ok(())
+    refinement.restore(best)?;
+    refinement.accepted()
 }
 
 fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>) {
@@ -36,24 +58,50 @@ fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>)
             continue;
         }
         let worst = |at: Point| {
-            let angles = star
-                .iter()
-                .map(|&[a, b]| least_angle([at, points[a], points[b]]));
-            angles.fold(f64::INFINITY, f64::min)
+            let cells = star.iter().map(|&[a, b]| [at, points[a], points[b]]);
+            cells.map(least_sine).fold(f64::INFINITY, f64::min)
         };
         let now = points[node];
         let targets = [mean(star, points), weighted_circumcentre(now, star, points)];
-        let steps = targets.into_iter().flat_map(|to| [to, middle(now, to)]);
-        let (mut best, mut at) = (worst(now), now);
-        for to in steps {
-            // A target that is not finite has an angle of NaN, which exceeds nothing.
-            let angle = worst(to);
-            if angle > best {
-                (best, at) = (angle, to);
-            }
+        let tries = targets.into_iter().flat_map(|to| [to, middle(now, to)]);
+        let mut best = better((worst(now), now), tries, worst);
+        if best.0 < POOR {
+            let sides = star.iter().map(|ends| distance(now, points[ends[0]]));
+            best = searched(best, sides.fold(f64::INFINITY, f64::min), worst);
         }
-        points[node] = at;
+        points[node] = best.1;
     }
+}
+
+/// The best of a place and others, by a measure.
+fn better(
+    first: (f64, Point),
+    others: impl Iterator<Item = Point>,
+    worst: impl Fn(Point) -> f64,
+) -> (f64, Point) {
+    others.fold(first, |best, at| {
+        let found = worst(at);
+        // A place that is not finite has a sine of NaN, which exceeds nothing.
+        if found > best.0 { (found, at) } else { best }
+    })
+}
+
+/// The best place by a pattern search of eight directions with halving steps, the first a quarter of `reach`.
+fn searched(
+    mut best: (f64, Point),
+    reach: f64,
+    worst: impl Fn(Point) -> f64 + Copy,
+) -> (f64, Point) {
+    let mut step = reach / 4.0;
+    for _ in 0..SEARCH {
+        let from = best.1;
+        let around = (0..8).map(|k| along(from, step, unit(f64::from(k) * FRAC_PI_4)));
+        best = better(best, around, worst);
+        if best.1 == from {
+            step /= 2.0;
+        }
+    }
+    best
 }
 
 /// Mean of the neighbours, each of which begins one edge of the star.

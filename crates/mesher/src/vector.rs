@@ -26,7 +26,9 @@ pub(crate) fn cross(a: Point, b: Point) -> f64 {
 }
 
 pub(crate) fn distance(a: Point, b: Point) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    let d = minus(a, b);
+    // Coordinates that the triangulation allows neither overflow nor underflow.
+    dot(d, d).sqrt()
 }
 
 /// Twice the signed area of the triangle, positive if a, b, c are counter-clockwise.
@@ -43,10 +45,11 @@ pub(crate) fn corner_angles([a, b, c]: [Point; 3]) -> [f64; 3] {
     [angle(a, b, c), angle(b, c, a), angle(c, a, b)]
 }
 
-/// Least angle of a triangle `[rad]`; negative if it is inverted.
-pub(crate) fn least_angle(triangle: [Point; 3]) -> f64 {
-    let [a, b, c] = corner_angles(triangle);
-    a.min(b).min(c)
+/// Sine of the least angle of a triangle; negative if it is inverted.
+pub(crate) fn least_sine([a, b, c]: [Point; 3]) -> f64 {
+    let sides = [distance(a, b), distance(b, c), distance(c, a)];
+    let shortest = sides[0].min(sides[1]).min(sides[2]);
+    orient(a, b, c) * shortest / (sides[0] * sides[1] * sides[2])
 }
 
 /// Centre and radius of the circle through three points; not finite if they lie on a line.

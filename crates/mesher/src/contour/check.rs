@@ -7,7 +7,7 @@ use stickslip_fem_core::mesh::Point;
 
 use super::{Contour, Hole};
 use crate::ContourError;
-use crate::plan::Outline;
+use crate::outline::Outline;
 use crate::vector::distance;
 
 /// Distance below which points coincide, in units of the body's extent.
@@ -23,8 +23,18 @@ const CUSP: f64 = 0.01;
 /// Fewest angles of a hole.
 const FEWEST_ANGLES: usize = 8;
 
-/// Widest interval between angles of a hole `[rad]`: T6 cells next to it then keep a positive Jacobian.
+/// Widest interval between angles of a hole `[rad]`: T6 cells with angles above 28.2° beside it are not folded.
 const WIDEST_INTERVAL: f64 = FRAC_PI_3 + 1e-9;
+
+impl Contour {
+    /// Refuses what does not bound a body.
+    ///
+    /// # Errors
+    /// The first defect found, of [`ContourError`]: numbers, names, lengths, closure, direction, crossings, cusps, holes.
+    pub fn check(&self) -> Result<(), ContourError> {
+        checked(self).map(|_| ())
+    }
+}
 
 /// Checks a contour and resolves its pieces.
 pub(crate) fn checked(contour: &Contour) -> Result<Outline, ContourError> {

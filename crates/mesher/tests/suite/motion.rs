@@ -1,0 +1,129 @@
+//! Moved, turned and mirrored bodies.
+
+use stickslip_fem_core::mesh::{Curve, ElementKind, Point};
+use stickslip_mesher::{Contour, ContourMesh, Division, Piece, quality};
+
+use crate::area::area;
+use crate::shapes::{all, lug, meshed};
+
+/// The contour with all its points mapped; `angle` maps angles of holes.
+fn mapped(
+    contour: &Contour,
+    point: impl Fn(Point) -> Point,
+    angle: impl Fn(f64) -> f64,
+) -> Contour {
+    let mut contour = contour.clone();
+    contour.start = point(contour.start);
+    for piece in &mut contour.pieces {
+        piece.to = point(piece.to);
+        piece.through = piece.through.map(&point);
+    }
+    for hole in &mut contour.holes {
+        hole.centre = point(hole.centre);
+        hole.angles = hole
+            .angles
+            .iter()
+            .map(|&a| angle(a).rem_euclid(std::f64::consts::TAU))
+            .collect();
+        hole.angles.sort_by(f64::total_cmp);
+    }
+    contour
+}
+
+/// The contour walked the other way.
+fn reversed(contour: &Contour) -> Contour {
+    let ends: Vec<Point> = contour.pieces.iter().map(|piece| piece.to).collect();
+    let count = ends.len();
+    let pieces = (0..count).rev().map(|k| Piece {
+        to: if k == 0 { contour.start } else { ends[k - 1] },
+        ..contour.pieces[k].clone()
+    });
+    Contour {
+        start: ends[count - 1],
+        pieces: pieces.collect(),
+        holes: contour.holes.clone(),
+    }
+}
+
+#[test]
+fn moved_turned_and_mirrored_bodies_have_like_meshes() {
+    let turn = 0.7_f64;
+    let (sin, cos) = turn.sin_cos();
+    for (name, contour) in all() {
+        let mesh = meshed(contour.clone(), ElementKind::T6);
+        let moved = mapped(&contour, |p| [p[0] + 1000.0, p[1] - 300.0], |a| a);
+        let turned = mapped(
+            &contour,
+            |p| [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]],
+            |a| a + turn,
+        );
+        let mirrored = reversed(&mapped(
+            &contour,
+            |p| [-p[0], p[1]],
+            |a| std::f64::consts::PI - a,
+        ));
+        // The box around a turned body, which sets the coarsest cells, is another.
+        for (motion, other, like) in [
+            ("moved", moved, 0.03),
+            ("turned", turned, 0.35),
+            ("mirrored", mirrored, 0.03),
+        ] {
+            let other = meshed(other, ElementKind::T6);
+            let least = quality(&other).least_angle.to_degrees();
+            assert!(least > 25.0, "{name} {motion}: {least}");
+            // Coordinates of 1000 are known to 1e-13, areas of 1 to 1e-10 of products of both.
+            assert!(
+                (area(&other) / area(&mesh) - 1.0).abs() < 1e-6,
+                "{name} {motion}"
+            );
+            let nodes = [&mesh, &other].map(|mesh| mesh.nodes().len() as f64);
+            assert!(
+                (nodes[1] / nodes[0] - 1.0).abs() < like,
+                "{name} {motion}: {nodes:?}"
+            );
+        }
+    }
+}
+
+/// Units of length and far origins do not matter.
+#[test]
+fn scaled_bodies_have_like_meshes() {
+    let reference = meshed(lug(72), ElementKind::T6);
+    for (scale, away) in [(1e-6, 0.0), (1e6, 0.0), (1e-12, 0.0), (1.0, 1e7)] {
+        let mut contour = mapped(&lug(72), |p| p.map(|c| scale * c + away), |a| a);
+        contour.holes[0].radius *= scale;
+        let mesh = meshed(contour, ElementKind::T6);
+        assert!(quality(&mesh).least_angle.to_degrees() > 25.0);
+        let nodes = [&reference, &mesh].map(|mesh| mesh.nodes().len() as f64);
+        assert!(
+            (nodes[1] / nodes[0] - 1.0).abs() < 0.03,
+            "{scale} {away}: {nodes:?}"
+        );
+    }
+}
+
+#[test]
+fn the_centre_moves_everything() {
+    let by = [12.5, -3.25];
+    let still = meshed(lug(48), ElementKind::T6);
+    let division = Division {
+        centre: by,
+        ..Division::default()
+    };
+    let contour = lug(48);
+    let moved = ContourMesh { contour, division }
+        .mesh(100_000)
+        .expect("a mesh");
+    assert_eq!(still.nodes().len(), moved.nodes().len());
+    for (a, b) in still.nodes().iter().zip(moved.nodes()) {
+        assert_eq!([a[0] + by[0], a[1] + by[1]], *b);
+    }
+    let curve = moved.edge_set("hole").expect("a set").curve;
+    assert_eq!(
+        curve,
+        Some(Curve::Arc {
+            centre: by,
+            radius: 0.5
+        })
+    );
+}

@@ -1,0 +1,199 @@
+//! Bodies of the tests, and what is measured on their meshes.
+
+use std::f64::consts::PI;
+
+use stickslip_fem_core::generate::{Extent, uniform_angles};
+use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
+use stickslip_mesher::{Contour, ContourMesh, Division, Hole, Piece};
+
+pub(crate) fn line(name: &str, to: Point) -> Piece {
+    Piece {
+        name: name.into(),
+        to,
+        through: None,
+    }
+}
+
+pub(crate) fn arc(name: &str, through: Point, to: Point) -> Piece {
+    Piece {
+        name: name.into(),
+        to,
+        through: Some(through),
+    }
+}
+
+pub(crate) fn hole(name: &str, centre: Point, radius: f64, count: usize) -> Hole {
+    Hole {
+        name: name.into(),
+        centre,
+        radius,
+        angles: uniform_angles(Extent::Whole, count),
+        layers: None,
+    }
+}
+
+/// The rectangle from the origin to (width, height).
+pub(crate) fn rectangle(width: f64, height: f64, holes: Vec<Hole>) -> Contour {
+    Contour {
+        start: [0.0, 0.0],
+        pieces: vec![
+            line("bottom", [width, 0.0]),
+            line("right", [width, height]),
+            line("top", [0.0, height]),
+            line("left", [0.0, 0.0]),
+        ],
+        holes,
+    }
+}
+
+pub(crate) fn polygon(corners: &[Point]) -> Contour {
+    let ends = corners.iter().cycle().skip(1).take(corners.len());
+    let pieces = ends
+        .enumerate()
+        .map(|(k, &to)| line(&format!("edge {k}"), to));
+    Contour {
+        start: corners[0],
+        pieces: pieces.collect(),
+        holes: Vec::new(),
+    }
+}
+
+pub(crate) fn strip() -> Contour {
+    rectangle(8.0, 3.0, vec![hole("hole", [6.0, 1.5], 0.5, 72)])
+}
+
+pub(crate) fn row_of_five() -> Contour {
+    let holes = (0..5).map(|k| {
+        hole(
+            &format!("hole {k}"),
+            [1.0 + 1.5 * f64::from(k), 1.0],
+            0.25,
+            48,
+        )
+    });
+    rectangle(8.0, 2.0, holes.collect())
+}
+
+pub(crate) fn pattern() -> Contour {
+    let places = (0..6).map(|k| [2.0 + 2.0 * f64::from(k % 3), 1.0 + 1.5 * f64::from(k / 3)]);
+    let holes = places.enumerate();
+    rectangle(
+        8.0,
+        3.5,
+        holes
+            .map(|(k, at)| hole(&format!("hole {k}"), at, 0.3, 60))
+            .collect(),
+    )
+}
+
+pub(crate) fn eccentric() -> Contour {
+    rectangle(6.0, 3.0, vec![hole("hole", [4.5, 0.75], 0.5, 72)])
+}
+
+/// A lug with a round end of radius 1 about the origin, in which the hole is.
+pub(crate) fn lug(count: usize) -> Contour {
+    Contour {
+        start: [0.0, -1.0],
+        pieces: vec![
+            arc("end", [1.0, 0.0], [0.0, 1.0]),
+            line("top", [-4.0, 1.0]),
+            line("clamped", [-4.0, -1.0]),
+            line("bottom", [0.0, -1.0]),
+        ],
+        holes: vec![hole("hole", [0.0, 0.0], 0.5, count)],
+    }
+}
+
+/// A plate of 10 by 6 with corners of radius 0.5 and a hole.
+pub(crate) fn rounded() -> Contour {
+    let (w, h, r) = (10.0, 6.0, 0.5);
+    let d = r * (1.0 - 0.5_f64.sqrt());
+    Contour {
+        start: [r, 0.0],
+        pieces: vec![
+            line("bottom", [w - r, 0.0]),
+            arc("corner 1", [w - d, d], [w, r]),
+            line("right", [w, h - r]),
+            arc("corner 2", [w - d, h - d], [w - r, h]),
+            line("top", [r, h]),
+            arc("corner 3", [d, h - d], [0.0, h - r]),
+            line("left", [0.0, r]),
+            arc("corner 4", [d, d], [r, 0.0]),
+        ],
+        holes: vec![hole("hole", [5.0, 3.0], 1.0, 60)],
+    }
+}
+
+pub(crate) fn angle_plate() -> Contour {
+    polygon(&[
+        [0.0, 0.0],
+        [4.0, 0.0],
+        [4.0, 1.0],
+        [1.0, 1.0],
+        [1.0, 4.0],
+        [0.0, 4.0],
+    ])
+}
+
+/// A triangle with an acute corner of 20° at the origin.
+pub(crate) fn acute() -> Contour {
+    let (sin, cos) = (PI / 9.0).sin_cos();
+    polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0 * cos, 4.0 * sin]])
+}
+
+/// A plate with a round notch in its upper edge.
+pub(crate) fn notched() -> Contour {
+    Contour {
+        start: [0.0, 0.0],
+        pieces: vec![
+            line("bottom", [4.0, 0.0]),
+            line("right", [4.0, 2.0]),
+            line("top right", [2.5, 2.0]),
+            arc("notch", [2.0, 1.5], [1.5, 2.0]),
+            line("top left", [0.0, 2.0]),
+            line("left", [0.0, 0.0]),
+        ],
+        holes: vec![hole("hole", [2.0, 0.75], 0.4, 48)],
+    }
+}
+
+/// A disk of two arcs of one name.
+pub(crate) fn disk() -> Contour {
+    Contour {
+        start: [1.0, 0.0],
+        pieces: vec![
+            arc("rim", [0.0, 1.0], [-1.0, 0.0]),
+            arc("rim", [0.0, -1.0], [1.0, 0.0]),
+        ],
+        holes: Vec::new(),
+    }
+}
+
+/// All bodies without acute corners, by name.
+pub(crate) fn all() -> Vec<(&'static str, Contour)> {
+    vec![
+        ("strip", strip()),
+        ("row of five", row_of_five()),
+        ("pattern", pattern()),
+        ("eccentric", eccentric()),
+        ("lug", lug(72)),
+        ("rounded", rounded()),
+        ("angle plate", angle_plate()),
+        ("notched", notched()),
+        ("disk", disk()),
+    ]
+}
+
+pub(crate) fn of_kind(contour: Contour, kind: ElementKind) -> ContourMesh {
+    let division = Division {
+        kind,
+        ..Division::default()
+    };
+    ContourMesh { contour, division }
+}
+
+pub(crate) fn meshed(contour: Contour, kind: ElementKind) -> Mesh {
+    of_kind(contour, kind)
+        .mesh(1_000_000)
+        .unwrap_or_else(|error| panic!("{error}"))
+}
