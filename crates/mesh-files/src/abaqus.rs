@@ -121,9 +121,16 @@ impl Reader<'_> {
                 let Some(next) = lines.next() else { break };
                 whole.push_str(next);
             }
+            let card = Card::parse(&whole);
+            if card.keyword == "INCLUDE" {
+                // Data lines may go on in the included file, and behind it.
+                let name = self.parameter(&card, "INPUT", spot)?;
+                self.include(&name, spot)?;
+                continue;
+            }
             self.close(spot)?;
             self.data = Data::Nothing;
-            self.keyword(&Card::parse(&whole), spot)?;
+            self.keyword(&card, spot)?;
         }
         Ok(Spot {
             file,
@@ -132,10 +139,6 @@ impl Reader<'_> {
     }
 
     fn keyword(&mut self, card: &Card, spot: Spot) -> Result<(), ReadError> {
-        if card.keyword == "INCLUDE" {
-            let name = self.parameter(card, "INPUT", spot)?;
-            return self.include(&name, spot);
-        }
         if self.in_step {
             self.in_step = card.keyword != "ENDSTEP";
             self.skip(card, spot);

@@ -20,6 +20,8 @@ pub(super) fn shape(name: &str) -> Result<Shape, Unsupported> {
     match name.as_str() {
         "T2D2" | "T3D2" => Ok(Shape::Line(1)),
         "T2D3" | "T3D3" => Ok(Shape::Line(2)),
+        // No plane type has 9 nodes; Gmsh writes its plane quadrilaterals of 9 nodes as these membranes.
+        "M3D9" => Ok(Shape::Cell(ElementKind::Q9)),
         _ => Err(refused(&name)),
     }
 }

@@ -95,12 +95,11 @@ impl EdgeTable {
         &bucket[first..last]
     }
 
-    /// The edge from the first to the second node, of the cell on its left if both sides have one, and whether they do.
-    pub(super) fn find(&self, [a, b]: [usize; 2]) -> Option<(EdgeRef, bool)> {
+    /// The edge from the first to the second node, of the cell on its left if both sides have one.
+    pub(super) fn find(&self, [a, b]: [usize; 2]) -> Option<EdgeRef> {
         let owners = self.owners([a, b]);
         let left = owners.iter().find(|owner| owner.ascending == (a < b));
-        let owner = left.or(owners.first())?;
-        Some((owner.edge, owners.len() > 1))
+        left.or(owners.first()).map(|owner| owner.edge)
     }
 
     /// Whether no other cell has the edge between two nodes.

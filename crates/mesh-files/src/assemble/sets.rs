@@ -132,17 +132,22 @@ impl Resolver<'_> {
             element: self.file.elements[element].number,
             set: name.to_owned(),
         };
-        let mut nodes = self.file.nodes_of(element).iter();
-        let mut next = || nodes.next().and_then(|&k| self.cells.node(k));
-        let ends = [next().ok_or_else(off)?, next().ok_or_else(off)?];
-        let (edge, _) = self.edges.find(ends).ok_or_else(off)?;
-        // A line of order 1 on a quadratic cell names the edge by its ends.
-        let middle = self.file.nodes_of(element).get(2);
-        let inner = self.mesh.edge_nodes(edge).inner.first();
-        match (middle, inner) {
-            (Some(&middle), Some(&inner)) if self.cells.node(middle) != Some(inner) => Err(off()),
-            _ => Ok(edge),
-        }
+        let nodes = self.file.nodes_of(element).iter();
+        let nodes: Option<Vec<usize>> = nodes.map(|&k| self.cells.node(k)).collect();
+        // The mid node is the last (Gmsh) or the second (CalculiX, and Abaqus files of Gmsh).
+        let orders = match nodes.as_deref() {
+            Some(&[a, b]) => [Some(([a, b], None)), None],
+            Some(&[a, b, c]) => [Some(([a, b], Some(c))), Some(([a, c], Some(b)))],
+            _ => [None, None],
+        };
+        let mut found = orders.into_iter().flatten();
+        let found = found.find_map(|(ends, middle)| {
+            let edge = self.edges.find(ends)?;
+            // A line of order 1 on a quadratic cell names the edge by its ends.
+            let inner = self.mesh.edge_nodes(edge).inner.first().copied();
+            (middle.is_none() || middle == inner).then_some(edge)
+        });
+        found.ok_or_else(off)
     }
 
     fn free(&self, element: usize, edges: &mut Vec<EdgeRef>) {
