@@ -40,6 +40,8 @@ struct Reader<'a> {
     includes: Includes<'a>,
     raw: Raw,
     definitions: Definitions,
+    /// Blocks of cells by the sets that `*ELEMENT` names.
+    blocks: BTreeMap<Option<usize>, u64>,
     assembly: Assembly,
     /// What the next data line belongs to.
     data: Data,
@@ -66,6 +68,7 @@ pub(crate) fn read(
         includes,
         raw: Raw::default(),
         definitions: Definitions::default(),
+        blocks: BTreeMap::new(),
         assembly: Assembly::default(),
         data: Data::Unbegun,
         skipped: BTreeMap::new(),
@@ -94,7 +97,7 @@ pub(crate) fn read(
         edges_from_nodes: true,
         merge_twins: false,
     };
-    assemble(file, sets, rules)
+    assemble(file, &sets, rules)
 }
 
 impl Reader<'_> {

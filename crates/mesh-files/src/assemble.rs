@@ -56,7 +56,7 @@ pub(crate) struct Rules {
 /// Every [`ReadError`] that concerns the mesh as a whole, in the file's numbers.
 pub(crate) fn assemble(
     mut file: Numbered,
-    sets: Sets,
+    sets: &Sets,
     rules: Rules,
 ) -> Result<Imported, ReadError> {
     let turned = orient::turn_clockwise(&mut file)?;
@@ -86,7 +86,7 @@ pub(crate) fn assemble(
         turned: &turned,
         notes: Vec::new(),
     };
-    let mut named = resolver.all(&sets)?;
+    let mut named = resolver.all(sets)?;
     if rules.edges_from_nodes {
         resolver.edges_from_nodes(&mut named);
     }

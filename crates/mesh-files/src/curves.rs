@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-14;
 pub fn recognise_set(parts: &MeshParts, set: &str) -> Result<Recognised, CurveError> {
     let edges = edges(parts, set)?;
     let name = || set.to_owned();
-    let ends: Option<Vec<[usize; 2]>> = edges.iter().map(|edge| edge.ends()).collect();
+    let ends: Option<Vec<[usize; 2]>> = edges.iter().map(Edge::ends).collect();
     let chain = ends.and_then(|ends| chain::join(&ends));
     let (Some(chain), Some(first)) = (chain, edges.first()) else {
         return Err(CurveError::NoChain { set: name() });

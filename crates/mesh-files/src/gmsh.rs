@@ -11,6 +11,8 @@ mod version2;
 mod version4;
 mod words;
 
+use std::collections::BTreeMap;
+
 use crate::assemble::{Rules, assemble};
 use crate::error::ReadError;
 use crate::note::Note;
@@ -34,7 +36,7 @@ struct Reader {
     raw: Raw,
     groups: Groups,
     /// Sections that say nothing about the mesh.
-    skipped: Vec<Note>,
+    skipped: BTreeMap<String, (Place, usize)>,
 }
 
 /// Reads a mesh of Gmsh.
@@ -55,7 +57,9 @@ pub(crate) fn read(text: &str, coincident: Coincident) -> Result<Imported, ReadE
         skipped,
     } = reader;
     groups.finish(&mut raw);
-    raw.notes.extend(skipped);
+    let skipped = skipped.into_iter();
+    raw.notes
+        .extend(skipped.map(|(keyword, (at, count))| Note::Skipped { keyword, at, count }));
     let mut file = raw.number(end)?;
     let sets = groups.sets(&mut file);
     let rules = Rules {
@@ -63,7 +67,7 @@ pub(crate) fn read(text: &str, coincident: Coincident) -> Result<Imported, ReadE
         edges_from_nodes: false,
         merge_twins: version == Version::Two,
     };
-    assemble(file, sets, rules)
+    assemble(file, &sets, rules)
 }
 
 fn place(spot: Spot) -> Place {
@@ -137,23 +141,9 @@ impl Reader {
     fn skip(&mut self, name: &str, words: &mut Words<'_>) -> Result<(), ReadError> {
         let at = place(words.spot());
         words.skip(name)?;
-        let keyword = format!("${name}");
-        let known = self.skipped.iter_mut().find_map(|note| match note {
-            Note::Skipped {
-                keyword: other,
-                count,
-                ..
-            } if *other == keyword => Some(count),
-            _ => None,
-        });
-        match known {
-            Some(count) => *count += 1,
-            None if keyword == "$Comments" => {}
-            None => self.skipped.push(Note::Skipped {
-                keyword,
-                at,
-                count: 1,
-            }),
+        if name != "Comments" {
+            let keyword = format!("${name}");
+            self.skipped.entry(keyword).or_insert((at, 0)).1 += 1;
         }
         Ok(())
     }

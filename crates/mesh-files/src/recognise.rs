@@ -137,8 +137,7 @@ fn circle(points: &[Point], closed: bool, order: usize) -> Option<Recognised> {
         let height = fitted.radius * (1.0 - (0.5 * total.min(std::f64::consts::PI)).cos());
         points.len() >= 4
             && corners.len() >= 3
-            && total >= LEAST_TURN
-            && total < std::f64::consts::TAU
+            && (LEAST_TURN..std::f64::consts::TAU).contains(&total)
             && residual <= OF_HEIGHT * height
     };
     let middles_fit = is_curved || middles_on(&fitted, points, order);

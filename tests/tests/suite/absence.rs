@@ -12,6 +12,7 @@ const LIBRARIES: &[&str] = &[
     "crates/friction/src",
     "crates/contact/src",
     "crates/series/src",
+    "crates/mesh-files/src",
     "crates/laminate/src",
     "crates/joint/src",
     "crates/hybrid/src",

@@ -13,7 +13,7 @@ pub(super) struct Assembly {
     instances: usize,
     /// Name of the instance.
     pub(super) instance: Option<String>,
-    in_assembly: bool,
+    is_open: bool,
     in_instance: bool,
     /// Lines that belong to the assembly: the first and how many.
     passed: Option<(Place, usize)>,
@@ -22,7 +22,7 @@ pub(super) struct Assembly {
 impl Assembly {
     /// Whether nodes, elements and sets belong to the assembly itself.
     pub(super) fn is_outside(&self) -> bool {
-        self.in_assembly && !self.in_instance
+        self.is_open && !self.in_instance
     }
 
     /// What data lines behind the last structural keyword are.
@@ -66,8 +66,8 @@ impl Assembly {
                 self.instance.get_or_insert_with(|| name.to_owned());
                 only(self.instances, "instance", name, at)?;
             }
-            "ASSEMBLY" => self.in_assembly = true,
-            "ENDASSEMBLY" => self.in_assembly = false,
+            "ASSEMBLY" => self.is_open = true,
+            "ENDASSEMBLY" => self.is_open = false,
             "ENDINSTANCE" => self.in_instance = false,
             "ENDPART" => {}
             _ => return Ok(false),

@@ -80,14 +80,12 @@ impl Reader<'_> {
         let type_name = self.parameter(card, "TYPE", spot)?;
         let name = card.value("ELSET").filter(|name| !name.is_empty());
         let set = name.map(|name| self.define(Family::Elements, name, card, spot));
-        let name = set.and_then(|set| self.definitions.list.get(set));
-        let name = name.map_or("cells", |set| set.name.as_str());
-        let blocks = &mut self.raw.blocks;
-        let known = blocks.iter().position(|block| block.name == name);
-        let block = known.unwrap_or(blocks.len()) as u64;
-        if known.is_none() {
-            let name = name.to_owned();
-            blocks.push(RawBlock { name, rank: block });
+        let next = self.blocks.len() as u64;
+        let block = *self.blocks.entry(set).or_insert(next);
+        if block == next {
+            let name = set.and_then(|set| self.definitions.list.get(set));
+            let name = name.map_or("cells", |set| set.name.as_str()).to_owned();
+            self.raw.blocks.push(RawBlock { name, rank: block });
         }
         self.data = Data::Elements(Elements {
             shape: types::shape(&type_name),
@@ -194,7 +192,10 @@ impl Reader<'_> {
             &mut Data::Members(members) if members.is_generated => {
                 self.generate_line(line, members, spot)
             }
-            &mut Data::Members(members) => self.member_line(line, members, spot),
+            &mut Data::Members(members) => {
+                self.member_line(line, members, spot);
+                Ok(())
+            }
             &mut Data::Faces { surface } => self.face_line(line, surface, spot),
         }
     }
@@ -329,7 +330,7 @@ impl Reader<'_> {
         }
     }
 
-    fn member_line(&mut self, line: &str, to: Members, spot: Spot) -> Result<(), ReadError> {
+    fn member_line(&mut self, line: &str, to: Members, spot: Spot) {
         let set = self.definitions.list.get(to.set);
         // Behind a node of a surface stands its area.
         let most = match set {
@@ -351,7 +352,6 @@ impl Reader<'_> {
                 None => self.definitions.add(to.set, spot, named, false),
             }
         }
-        Ok(())
     }
 
     fn face_line(&mut self, line: &str, surface: usize, spot: Spot) -> Result<(), ReadError> {

@@ -181,9 +181,13 @@ impl Resolver<'_> {
                 continue;
             }
             // Resolved nodes are less than the number of nodes.
-            nodes.iter().for_each(|&node| member[node] = true);
+            for &node in nodes {
+                member[node] = true;
+            }
             let edges = self.chain_of(nodes, &member, &leaving);
-            nodes.iter().for_each(|&node| member[node] = false);
+            for &node in nodes {
+                member[node] = false;
+            }
             if let Some(edges) = edges {
                 let (set, count) = (name.clone(), edges.len());
                 self.notes.push(Note::EdgesFromNodes { set, count });

@@ -98,9 +98,9 @@ impl Groups {
                 let lowest = groups.first().copied();
                 let next = blocks.len();
                 let block = *blocks.entry(lowest).or_insert(next);
-                elements
-                    .iter_mut()
-                    .for_each(|element| element.block = block);
+                for element in elements {
+                    element.block = block;
+                }
             }
         }
         let mut order: Vec<_> = blocks.into_iter().collect();

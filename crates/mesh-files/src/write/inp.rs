@@ -1,6 +1,6 @@
 //! Input files of Abaqus and CalculiX.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use stickslip_fem_core::material::PlaneState;
@@ -169,9 +169,9 @@ fn check_labels(mesh: &Mesh) -> Result<(), WriteError> {
         mesh.element_set_names().collect(),
     ];
     for family in families {
-        let mut seen = BTreeMap::new();
+        let mut seen = BTreeSet::new();
         for name in family {
-            if seen.insert(name.to_uppercase(), ()).is_some() {
+            if !seen.insert(name.to_uppercase()) {
                 return refuse(name, "differs from another one only in case");
             }
         }

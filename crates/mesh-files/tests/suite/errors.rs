@@ -213,7 +213,7 @@ fn defects_of_gmsh_files() {
     );
     gmsh(
         &MIXED.replace("2 7 1 99", "3 7 1 99"),
-        &["line 36: '$EndNodes'", "dimension"],
+        &["line 39: '$EndNodes'", "dimension"],
     );
     gmsh(
         &MIXED.replace("4 1 3 4\n", "4 1 3 44\n"),
