@@ -56,7 +56,7 @@ fn with_middles(corners: &[Point], closed: bool) -> Vec<Point> {
 #[test]
 fn circles_of_any_number_of_nodes() {
     for count in [8, 9, 10, 17, 64, 1000] {
-        let angles = (0..count).map(|k| -TAU * k as f64 / count as f64);
+        let angles = (0..count).map(|k| -TAU * f64::from(k) / f64::from(count));
         let points = on_circle([3.0, -2.0], 0.5, angles);
         // Rounding of coordinates of size 3.
         assert_circle(found(&points, true, 1), [3.0, -2.0], 0.5, 1e-14);
@@ -96,7 +96,7 @@ fn short_arcs() {
 #[test]
 fn lines_and_what_is_neither() {
     let line: Vec<Point> = (0..7)
-        .map(|k| [0.1 * k as f64, 3.0 - 0.2 * k as f64])
+        .map(|k| [0.1 * f64::from(k), 3.0 - 0.2 * f64::from(k)])
         .collect();
     let curve = |points: &[Point], order| found(points, false, order).map(|found| found.curve);
     assert_eq!(curve(&line, 1), Some(Curve::Line));
@@ -111,7 +111,7 @@ fn lines_and_what_is_neither() {
     assert_eq!(curve(&bulged, 2), None);
 
     for aspect in [1.001, 1.1, 2.0] {
-        let ellipse = on_circle([0.0, 0.0], 1.0, (0..40).map(|k| TAU * k as f64 / 40.0));
+        let ellipse = on_circle([0.0, 0.0], 1.0, (0..40).map(|k| TAU * f64::from(k) / 40.0));
         let ellipse: Vec<Point> = ellipse.iter().map(|p| [aspect * p[0], p[1]]).collect();
         assert_eq!(found(&ellipse, true, 1), None, "{aspect}");
     }
@@ -128,7 +128,7 @@ fn lines_and_what_is_neither() {
 
 #[test]
 fn mid_nodes_must_be_on_chord_or_circle() {
-    let corners = on_circle([0.0; 2], 1.0, (0..16).map(|k| TAU * k as f64 / 16.0));
+    let corners = on_circle([0.0; 2], 1.0, (0..16).map(|k| TAU * f64::from(k) / 16.0));
     let mut points = with_middles(&corners, true);
     points[5] = points[5].map(|x| 1.005 * x);
     assert_eq!(found(&points, true, 2), None);
@@ -165,7 +165,7 @@ proptest! {
         size in prop::sample::select(vec![1e-6, 1e-4]),
         scale in 1e-3..1e3_f64,
     ) {
-        let angles = (0..48).map(|k| TAU * k as f64 / 48.0);
+        let angles = (0..48).map(|k| TAU * f64::from(k) / 48.0);
         let rim = on_circle([5.0 * scale, 0.0], scale, angles.clone());
         let points: Vec<Point> = rim.iter().zip(angles).zip(&noise).map(|((p, a), noise)| {
             let off = size * scale * noise;

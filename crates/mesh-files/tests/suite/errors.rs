@@ -180,11 +180,9 @@ fn torn_meshes_are_refused_unless_bodies_touch() {
 #[test]
 fn set_sizes_are_bounded() {
     // Sets that name the set before them twice would double without end.
-    let mut text = SQUARE.to_owned();
-    text.push_str("*NSET,NSET=s0\n1,2,3,4\n");
-    for k in 1..60 {
-        text.push_str(&format!("*NSET,NSET=s{k}\ns{},s{}\n", k - 1, k - 1));
-    }
+    let doubled = (1..60).map(|k| format!("*NSET,NSET=s{k}\ns{0},s{0}\n", k - 1));
+    let doubled: String = doubled.collect();
+    let text = format!("{SQUARE}*NSET,NSET=s0\n1,2,3,4\n{doubled}");
     abaqus(&text, &["members in all"]);
     let endless = format!("{SQUARE}*NSET,NSET=a,GENERATE\n1,18446744073709551615,1\n");
     assert_eq!(
@@ -217,19 +215,19 @@ fn defects_of_gmsh_files() {
     );
     gmsh(
         &MIXED.replace("4 1 3 4\n", "4 1 3 44\n"),
-        &["line 49: element 4", "node 44"],
+        &["line 50: element 4", "node 44"],
     );
     gmsh(
         &MIXED.replace("2 1 2 2\n", "2 1 4 2\n"),
-        &["line 48: element 5", "tetrahedron", "three-dimensional"],
+        &["line 49: element 5", "tetrahedron", "three-dimensional"],
     );
     gmsh(
         &MIXED.replace("2 1 2 2\n", "2 1 21 2\n"),
-        &["line 48: element 5", "order 1 or 2"],
+        &["line 49: element 5", "order 1 or 2"],
     );
     gmsh(
         &MIXED.replace("2 4 1\n", "2 4 2\n"),
-        &["line 43: line element 2 of 'left edge'"],
+        &["line 45: line element 2 of 'left edge'"],
     );
     gmsh(&MIXED[..400], &["the file ends", "export it again"]);
 }
