@@ -1,12 +1,14 @@
 //! Data lines: nodes, elements, and members of sets and surfaces.
 
+use std::cmp::Ordering;
+
 use super::Reader;
 use super::card::{Card, entries, unquoted};
 use super::definitions::{Definition, Entry, Family};
 use super::types;
 use crate::error::{ReadError, Unsupported};
 use crate::lines;
-use crate::place::Spot;
+use crate::place::{Files, Spot};
 use crate::raw::{RawBlock, Shape};
 
 /// What the next data line belongs to.
@@ -51,6 +53,35 @@ pub(super) struct Elements {
     /// The element whose nodes continue on the next line.
     open: Vec<u64>,
     spot: Spot,
+}
+
+impl Elements {
+    /// Takes the numbers of a line: of the element, unless it is open, and of its nodes.
+    fn take_numbers(&mut self, line: &str, spot: Spot, files: &Files) -> Result<(), ReadError> {
+        if self.open.is_empty() {
+            self.spot = spot;
+        }
+        for entry in entries(line).filter(|entry| !entry.is_empty()) {
+            let number = lines::integer(entry).ok_or_else(|| ReadError::Value {
+                at: files.place(spot),
+                what: "the number of an element or node",
+                found: shortened(entry),
+            })?;
+            self.shape.map_err(|why| ReadError::ElementType {
+                at: files.place(spot),
+                element: number,
+                name: self.type_name.clone(),
+                why,
+            })?;
+            self.open.push(number);
+        }
+        Ok(())
+    }
+}
+
+/// The beginning of what a message quotes.
+fn shortened(text: &str) -> String {
+    text.chars().take(40).collect()
 }
 
 impl Reader<'_> {
@@ -172,7 +203,7 @@ impl Reader<'_> {
             Data::Unbegun => Err(ReadError::Format {
                 at: self.place(spot),
                 format: "Abaqus",
-                found: line.chars().take(40).collect(),
+                found: shortened(line),
             }),
             Data::Nothing => Err(self.unexpected("a keyword", line, spot)),
             Data::Skipped => Ok(()),
@@ -204,7 +235,7 @@ impl Reader<'_> {
         ReadError::Value {
             at: self.place(spot),
             what,
-            found: found.chars().take(40).collect(),
+            found: shortened(found),
         }
     }
 
@@ -233,45 +264,34 @@ impl Reader<'_> {
     }
 
     fn element_line(&mut self, line: &str, spot: Spot) -> Result<(), ReadError> {
-        let unexpected = |what, entry: &str| ReadError::Value {
-            at: self.raw.files.place(spot),
-            what,
-            found: entry.chars().take(40).collect(),
-        };
         let Data::Elements(elements) = &mut self.data else {
             return Ok(());
         };
-        if elements.open.is_empty() {
-            elements.spot = spot;
-        }
-        for entry in entries(line).filter(|entry| !entry.is_empty()) {
-            const WHAT: &str = "the number of an element or node";
-            let number = lines::integer(entry).ok_or_else(|| unexpected(WHAT, entry))?;
-            if let Err(why) = elements.shape {
-                return Err(ReadError::ElementType {
-                    at: self.raw.files.place(spot),
-                    element: number,
-                    name: elements.type_name.clone(),
-                    why,
-                });
-            }
-            elements.open.push(number);
-        }
+        let files = &self.raw.files;
+        elements.take_numbers(line, spot, files)?;
         let Ok(shape) = elements.shape else {
             return Ok(());
         };
         let wanted = shape.nodes() + 1;
-        if elements.open.len() > wanted {
-            return Err(unexpected("the end of the element's nodes", line));
+        if elements.open.len() < wanted && line.ends_with(',') {
+            return Ok(());
         }
-        if elements.open.len() < wanted {
-            return if line.ends_with(',') {
-                Ok(())
-            } else {
-                let at = self.raw.files.place(spot);
+        let at = || files.place(spot);
+        match elements.open.len().cmp(&wanted) {
+            Ordering::Less => {
                 let what = "a node of the element";
-                Err(ReadError::MissingValue { at, what })
-            };
+                return Err(ReadError::MissingValue { at: at(), what });
+            }
+            Ordering::Greater => {
+                let what = "the end of the element's nodes";
+                let found = shortened(line);
+                return Err(ReadError::Value {
+                    at: at(),
+                    what,
+                    found,
+                });
+            }
+            Ordering::Equal => {}
         }
         let (set, block, start) = (elements.set, elements.block, elements.spot);
         if let Some((&number, nodes)) = elements.open.split_first() {
@@ -289,7 +309,7 @@ impl Reader<'_> {
     /// Ends the data of a keyword.
     ///
     /// # Errors
-    /// [`ReadError::Truncated`] inside an element.
+    /// [`ReadError::MissingValue`] inside an element.
     pub(super) fn close(&mut self, spot: Spot) -> Result<(), ReadError> {
         match &self.data {
             Data::Elements(elements) if !elements.open.is_empty() => Err(ReadError::MissingValue {

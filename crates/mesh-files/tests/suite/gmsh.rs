@@ -80,3 +80,31 @@ fn extensions_name_formats() {
     assert_eq!(Format::of_name("plate.msh"), Some(Format::Gmsh));
     assert_eq!(Format::of_name("msh"), None);
 }
+
+#[test]
+fn parametric_coordinates_and_further_tags_are_passed_over() {
+    let mut text = MIXED
+        .replace("2 2 1 3\n", "2 2 0 3\n")
+        .replace("2 1 0 4\n", "2 1 1 4\n");
+    for row in ["0 1 0", "1 1 0", "1 0 0", "0 0 0"] {
+        text = text.replace(&format!("\n{row}\n"), &format!("\n{row} 0.5 0.25\n"));
+    }
+    for row in ["2 0 0 0 0\n", "2 1 0 0 0\n", "5 5 0 0 0\n"] {
+        text = text.replace(row, &format!("{}\n", &row[..5]));
+    }
+    assert_eq!(
+        imported(&text, Format::Gmsh).parts,
+        imported(MIXED, Format::Gmsh).parts
+    );
+    let tags = QUAD9.replace("3 10 2 4 6 ", "3 10 4 4 6 1 9 ");
+    assert_eq!(imported(&tags, Format::Gmsh), imported(QUAD9, Format::Gmsh));
+}
+
+#[test]
+fn counts_of_headers_reserve_nothing() {
+    for count in ["18446744073709551615", "1000000000000"] {
+        let text = MIXED.replace("2 1 0 4\n", &format!("2 1 0 {count}\n"));
+        let error = super::refused(&text, Format::Gmsh).to_string();
+        assert!(error.contains("the number of a node"), "{error}");
+    }
+}
