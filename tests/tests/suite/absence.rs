@@ -13,6 +13,7 @@ const LIBRARIES: &[&str] = &[
     "crates/contact/src",
     "crates/series/src",
     "crates/mesher/src",
+    "crates/mesh-files/src",
     "crates/laminate/src",
     "crates/joint/src",
     "crates/hybrid/src",

@@ -1,0 +1,125 @@
+//! Curves of the edge sets of a mesh: which one a set approximates, and its mid nodes moved onto it.
+
+use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, MeshParts, Point};
+
+use crate::chain;
+use crate::error::CurveError;
+use crate::recognise::{Recognised, recognise};
+
+/// Part of the radius by which a mid node is off the circle because of rounding only.
+const ROUNDING: f64 = 1e-14;
+
+/// Finds the line or circle that edge set `set` of a mesh lies on, by [`recognise`].
+///
+/// # Errors
+/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if its edges do not form one chain; [`CurveError::NoCurve`].
+pub fn recognise_set(parts: &MeshParts, set: &str) -> Result<Recognised, CurveError> {
+    let edges = edges(parts, set)?;
+    let name = || set.to_owned();
+    let ends: Option<Vec<[usize; 2]>> = edges.iter().map(Edge::ends).collect();
+    let chain = ends.and_then(|ends| chain::join(&ends));
+    let (Some(chain), Some(first)) = (chain, edges.first()) else {
+        return Err(CurveError::NoChain { set: name() });
+    };
+    let order = first.kind.order();
+    let mut walk = Vec::with_capacity(order * edges.len() + 1);
+    let mut last = None;
+    // The chain holds positions of edges.
+    for edge in chain.order.iter().map(|&k| &edges[k]) {
+        walk.extend(edge.ends().map(|[start, _]| start));
+        walk.extend(edge.inner());
+        last = edge.ends().map(|[_, end]| end);
+    }
+    if !chain.closed {
+        walk.extend(last);
+    }
+    let found = recognise(&parts.nodes, &walk, chain.closed, order);
+    found.ok_or_else(|| CurveError::NoCurve { set: name() })
+}
+
+/// Moves the mid nodes of edge set `set` from the chords of its edges onto the circle that its corner nodes lie on, and stores the curve in
+/// the set. Returns how many were moved.
+///
+/// The circle is the set's own curve, or found by [`recognise_set`]; the nodes of a line stay. A thin cell inside a concave arc may be
+/// folded by the motion: [`Mesh::new`](stickslip_fem_core::mesh::Mesh::new) finds it.
+///
+/// # Errors
+/// As [`recognise_set`], if the set has no curve yet.
+pub fn snap(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
+    let own = parts.edge_sets.get(set).and_then(|set| set.curve);
+    let curve = match own {
+        Some(curve) => curve,
+        None => recognise_set(parts, set)?.curve,
+    };
+    let mut moved = 0;
+    if let Curve::Arc { centre, radius } = curve {
+        let edges = edges(parts, set)?;
+        let middles: Vec<usize> = edges.iter().flat_map(Edge::inner).collect();
+        for node in middles {
+            if let Some(point) = parts.nodes.get_mut(node) {
+                moved += usize::from(project(point, centre, radius));
+            }
+        }
+    }
+    if let Some(set) = parts.edge_sets.get_mut(set) {
+        set.curve = Some(curve);
+    }
+    Ok(moved)
+}
+
+/// Moves a point along its ray onto a circle.
+fn project(point: &mut Point, centre: Point, radius: f64) -> bool {
+    let ray = [point[0] - centre[0], point[1] - centre[1]];
+    let distance = ray[0].hypot(ray[1]);
+    if distance == 0.0 || (distance - radius).abs() <= ROUNDING * radius {
+        return false;
+    }
+    let factor = radius / distance;
+    *point = [centre[0] + factor * ray[0], centre[1] + factor * ray[1]];
+    true
+}
+
+/// An edge and the nodes of its cell.
+struct Edge<'a> {
+    kind: ElementKind,
+    nodes: &'a [usize],
+    local: usize,
+}
+
+impl Edge<'_> {
+    fn ends(&self) -> Option<[usize; 2]> {
+        let [a, b] = self.kind.edge_nodes(self.local).ends;
+        Some([*self.nodes.get(a)?, *self.nodes.get(b)?])
+    }
+
+    fn inner(&self) -> impl Iterator<Item = usize> + use<> {
+        let inner = self.nodes.get(self.kind.edge_nodes(self.local).inner);
+        inner.unwrap_or_default().to_vec().into_iter()
+    }
+}
+
+fn edges<'a>(parts: &'a MeshParts, set: &str) -> Result<Vec<Edge<'a>>, CurveError> {
+    let name = || set.to_owned();
+    let found = parts.edge_sets.get(set);
+    let found = found.ok_or_else(|| CurveError::MissingSet { set: name() })?;
+    let mut firsts = vec![0];
+    for block in &parts.blocks {
+        let count = block.connectivity.len() / block.kind.nodes();
+        firsts.push(firsts.last().copied().unwrap_or(0) + count);
+    }
+    let edge = |edge: &EdgeRef| {
+        let block = firsts.partition_point(|&first| first <= edge.element) - 1;
+        let cells = parts.blocks.get(block)?;
+        let size = cells.kind.nodes();
+        let start = (edge.element - firsts[block]) * size;
+        let nodes = cells.connectivity.get(start..start + size)?;
+        let is_edge = edge.edge < cells.kind.edges();
+        is_edge.then_some(Edge {
+            kind: cells.kind,
+            nodes,
+            local: edge.edge,
+        })
+    };
+    let all: Option<Vec<Edge<'_>>> = found.edges.iter().map(edge).collect();
+    all.ok_or_else(|| CurveError::NoChain { set: name() })
+}

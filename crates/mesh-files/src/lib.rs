@@ -1,0 +1,131 @@
+//! Plane finite-element meshes from files of other programs, and back.
+//!
+//! Text goes in, [`MeshParts`] come out, with the file's own numbers of nodes and elements and [`Note`]s on what was passed over.
+//! What [`read`] returns is accepted by [`Mesh::new`](stickslip_fem_core::mesh::Mesh::new). No file is opened: whoever calls reads
+//! the text, and an `*INCLUDE` is resolved by a closure.
+//!
+//! | format | node sets | edge sets | element sets |
+//! | --- | --- | --- | --- |
+//! | Gmsh, MSH 2.2 and 4.1 as text | physical points | physical curves | physical surfaces |
+//! | Abaqus and CalculiX, `.inp` | `*NSET`, `*SURFACE, TYPE=NODE` | `*SURFACE, TYPE=ELEMENT`; node sets that form whole boundary edges; element sets of lines (T3D2, T3D3) | `*ELSET` |
+//!
+//! A physical group without a name is called `physical-3`. Cells are triangles of 3 and 6 and quadrilaterals of 4, 8 and 9 nodes, one
+//! block for each kind and group. Nodes are sorted by the file's numbers, and so are the cells of a block.
+//!
+//! ```
+//! use stickslip_mesh_files::{Format, read};
+//!
+//! let text = "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n\
+//!             *ELEMENT, TYPE=CPS4, ELSET=plate\n10, 1, 2, 3, 4\n\
+//!             *NSET, NSET=left\n4, 1\n";
+//! let file = read(text, Format::Abaqus, &|name| Err(format!("no file {name}")))?;
+//! assert_eq!(file.parts.edge_sets["left"].edges.len(), 1);
+//! assert_eq!(file.cell_numbers, [10]);
+//! # Ok::<(), stickslip_mesh_files::ReadError>(())
+//! ```
+//!
+//! [`write_msh`] and [`write_inp`] write meshes; [`recognise`] finds the line or circle that a chain of edges approximates, and [`snap`]
+//! moves mid nodes from chords onto it.
+//!
+//! Sources: Gmsh reference manual, sections "MSH file format" and "MSH file format version 2 (Legacy)"; Abaqus Keywords Reference Guide;
+//! Dhondt, *CalculiX CrunchiX User's Manual*, chapter "Input deck format".
+
+mod abaqus;
+mod assemble;
+mod chain;
+mod curves;
+mod error;
+mod gmsh;
+mod lines;
+mod note;
+mod numbers;
+mod place;
+mod raw;
+mod recognise;
+mod write;
+
+use stickslip_fem_core::mesh::MeshParts;
+
+pub use curves::{recognise_set, snap};
+pub use error::{CurveError, ReadError, Unsupported, WriteError};
+pub use note::Note;
+pub use place::Place;
+pub use recognise::{Recognised, recognise};
+pub use write::{write_inp, write_msh};
+
+/// A format of mesh files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// MSH of Gmsh, versions 2.2 and 4.1, as text.
+    Gmsh,
+    /// Input files of Abaqus and CalculiX.
+    Abaqus,
+}
+
+impl Format {
+    /// The format of a file of this name, by its extension: `msh` or `inp`, in either case.
+    pub fn of_name(name: &str) -> Option<Self> {
+        let (_, extension) = name.rsplit_once('.')?;
+        if extension.eq_ignore_ascii_case("msh") {
+            Some(Self::Gmsh)
+        } else if extension.eq_ignore_ascii_case("inp") {
+            Some(Self::Abaqus)
+        } else {
+            None
+        }
+    }
+}
+
+/// What to do with two nodes of the boundary at one place: closer than 1e-9 of the mesh's size.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Coincident {
+    /// Refuse the mesh: it is most often torn along an inner line by mistake.
+    #[default]
+    Refuse,
+    /// Keep them: the mesh holds several bodies that touch, or a crack.
+    Allow,
+}
+
+/// A mesh and where it comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Imported {
+    /// Nodes, cells and sets, ready for [`Mesh::new`](stickslip_fem_core::mesh::Mesh::new).
+    pub parts: MeshParts,
+    /// The file's number of each node, ascending.
+    pub node_numbers: Vec<u64>,
+    /// The file's number of each cell, in the order of the global cell index.
+    pub cell_numbers: Vec<u64>,
+    /// What was passed over or changed.
+    pub notes: Vec<Note>,
+}
+
+/// Reads a mesh; coincident nodes of the boundary are refused.
+///
+/// `includes` returns the text of a file that the text includes by this name; only Abaqus files include others.
+///
+/// # Errors
+/// [`ReadError`], with the line, the file's own number, and what to do.
+pub fn read(
+    text: &str,
+    format: Format,
+    includes: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<Imported, ReadError> {
+    read_with(text, format, includes, Coincident::Refuse)
+}
+
+/// As [`read`], with the choice of what to do with coincident nodes.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(
+    text: &str,
+    format: Format,
+    includes: &dyn Fn(&str) -> Result<String, String>,
+    coincident: Coincident,
+) -> Result<Imported, ReadError> {
+    match format {
+        Format::Gmsh => gmsh::read(text, coincident),
+        Format::Abaqus => abaqus::read(text, includes, coincident),
+    }
+}

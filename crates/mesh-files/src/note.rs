@@ -1,0 +1,161 @@
+//! What a reader passed over or changed.
+
+use std::fmt;
+
+use crate::place::Place;
+
+/// Something that was passed over or changed on the way from the file to the mesh.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Note {
+    /// A keyword of Abaqus or a section of Gmsh that says nothing about the mesh.
+    Skipped {
+        /// The keyword or section.
+        keyword: String,
+        /// Where it stands first.
+        at: Place,
+        /// How often it stands in the file.
+        count: usize,
+    },
+    /// Nodes that belong to no cell were dropped.
+    UnusedNodes {
+        /// How many.
+        count: usize,
+        /// The file's number of the first.
+        first: u64,
+    },
+    /// A set lost members that no cell uses, or that a range names without their being there.
+    DroppedMembers {
+        /// "node" or "element".
+        family: &'static str,
+        /// The set.
+        set: String,
+        /// How many.
+        count: usize,
+    },
+    /// A set that no cell uses, or a named group without elements, was dropped.
+    DroppedSet {
+        /// "node", "edge" or "element".
+        family: &'static str,
+        /// The set.
+        set: String,
+    },
+    /// Cells numbered clockwise were turned.
+    Turned {
+        /// How many.
+        count: usize,
+        /// The file's number of the first.
+        first: u64,
+    },
+    /// Elements or nodes that stand in the file twice, with the same content, were taken once.
+    Repeated {
+        /// "node" or "element".
+        family: &'static str,
+        /// How many.
+        count: usize,
+        /// The file's number of the first.
+        first: u64,
+    },
+    /// Points and lines that belong to no set.
+    Unnamed {
+        /// "point" or "line".
+        what: &'static str,
+        /// How many.
+        count: usize,
+    },
+    /// Edges of a set lie inside the mesh: the cell on the left of the line has them.
+    InnerEdges {
+        /// The set.
+        set: String,
+        /// How many.
+        count: usize,
+    },
+    /// The nodes of a set form whole boundary edges, which became an edge set.
+    EdgesFromNodes {
+        /// The set.
+        set: String,
+        /// How many edges.
+        count: usize,
+    },
+    /// Nodes, elements or members of sets that belong to an assembly, not to its part, were passed over.
+    OfAssembly {
+        /// Where the first stands.
+        at: Place,
+        /// How many lines.
+        count: usize,
+    },
+    /// A set was renamed because another one has its name.
+    Renamed {
+        /// Its name in the file.
+        name: String,
+        /// Its name here.
+        to: String,
+    },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Skipped { keyword, at, count } => {
+                write!(out, "{keyword} passed over: {at}")?;
+                match count {
+                    0 | 1 => Ok(()),
+                    more => write!(out, " and {} more", more - 1),
+                }
+            }
+            Self::UnusedNodes { count, first } => {
+                write!(
+                    out,
+                    "{count} nodes of no cell dropped, the first is {first}"
+                )
+            }
+            Self::DroppedMembers { family, set, count } => {
+                write!(
+                    out,
+                    "{family} set '{set}': {count} members of no cell dropped"
+                )
+            }
+            Self::DroppedSet { family, set } => {
+                write!(
+                    out,
+                    "{family} set '{set}' has no members in the mesh, dropped"
+                )
+            }
+            Self::Turned { count, first } => {
+                write!(
+                    out,
+                    "{count} clockwise elements turned, the first is {first}"
+                )
+            }
+            Self::Repeated {
+                family,
+                count,
+                first,
+            } => {
+                write!(
+                    out,
+                    "{count} {family}s are repeated, the first is {first}; each is taken once"
+                )
+            }
+            Self::Unnamed { what, count } => {
+                write!(out, "{count} {what} elements in no set passed over")
+            }
+            Self::InnerEdges { set, count } => {
+                write!(out, "edge set '{set}': {count} edges lie inside the mesh")
+            }
+            Self::EdgesFromNodes { set, count } => {
+                write!(
+                    out,
+                    "node set '{set}' is also an edge set of {count} boundary edges"
+                )
+            }
+            Self::OfAssembly { at, count } => {
+                write!(
+                    out,
+                    "{count} lines on nodes and elements of the assembly passed over, the first is {at}"
+                )
+            }
+            Self::Renamed { name, to } => write!(out, "set '{name}' is called '{to}'"),
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Meshes of the generators, written and read again.
+
+use std::collections::BTreeMap;
+
+use stickslip_fem_core::generate::{
+    Disk, Extent, Generate, Growth, Outline, PlateWithHole, Rectangle, uniform_angles,
+};
+use stickslip_fem_core::material::PlaneState;
+use stickslip_fem_core::mesh::{EdgeRef, ElementKind, Mesh, MeshParts};
+use stickslip_mesh_files::{Format, WriteError, snap, write_inp, write_msh};
+
+use super::{ends, imported};
+
+fn meshes(kind: ElementKind) -> Vec<Mesh> {
+    let growth = Growth::Geometric { aspect: 1.0 };
+    let angles = uniform_angles(Extent::Whole, 16);
+    let plate = PlateWithHole {
+        hole_radius: 0.375,
+        outline: Outline::Strip {
+            half_width: 1.495,
+            left: 4.0,
+            right: 1.5,
+        },
+        extent: Extent::Whole,
+        angles: angles.clone(),
+        layers: 4,
+        growth: growth.clone(),
+        far_cells: 3,
+        kind,
+    };
+    let disk = Disk {
+        radius: 0.4,
+        centre: [1.0, 2.0],
+        extent: Extent::Whole,
+        angles,
+        core: Disk::CORE,
+        layers: 3,
+        growth,
+        kind,
+    };
+    let rectangle = Rectangle::uniform([0.0, 2.0], [0.0, 1.0], [4, 3], kind);
+    vec![
+        plate.generate().expect("a plate"),
+        disk.generate().expect("a disk"),
+        rectangle.and_then(|r| r.generate()).expect("a rectangle"),
+    ]
+}
+
+fn edges(parts: &MeshParts) -> BTreeMap<&str, Vec<EdgeRef>> {
+    let sets = parts.edge_sets.iter().map(|(name, set)| {
+        let mut edges = set.edges.clone();
+        edges.sort_unstable();
+        (name.as_str(), edges)
+    });
+    sets.collect()
+}
+
+fn nodes(parts: &MeshParts) -> BTreeMap<&str, Vec<usize>> {
+    let sets = parts.node_sets.iter().map(|(name, nodes)| {
+        let mut nodes = nodes.clone();
+        nodes.sort_unstable();
+        (name.as_str(), nodes)
+    });
+    sets.collect()
+}
+
+#[test]
+fn msh_gives_the_same_mesh() {
+    for kind in ElementKind::COMMON {
+        for mesh in meshes(kind) {
+            let text = write_msh(&mesh).expect("a kind that Gmsh has");
+            let file = imported(&text, Format::Gmsh);
+            let parts = mesh.clone().into_parts();
+            assert_eq!(file.parts.nodes, parts.nodes);
+            assert_eq!(file.parts.blocks, parts.blocks);
+            assert_eq!(nodes(&file.parts), nodes(&parts));
+            assert_eq!(edges(&file.parts), edges(&parts));
+            assert_eq!(file.notes, []);
+        }
+    }
+}
+
+#[test]
+fn inp_gives_the_same_mesh() {
+    use ElementKind::{Q4, Q8, T3, T6};
+    for kind in [T3, T6, Q4, Q8] {
+        for mesh in meshes(kind) {
+            let text = write_inp(&mesh, PlaneState::Stress).expect("a kind that Abaqus has");
+            let file = imported(&text, Format::Abaqus);
+            let parts = mesh.clone().into_parts();
+            // 20 characters hold at least 13 digits.
+            let scale = 5.0;
+            for (a, b) in file.parts.nodes.iter().zip(&parts.nodes) {
+                let off = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+                assert!(off <= 1e-13 * scale, "{off}");
+            }
+            assert_eq!(file.parts.blocks, parts.blocks);
+            assert_eq!(nodes(&file.parts), nodes(&parts));
+            assert_eq!(edges(&file.parts), edges(&parts));
+        }
+    }
+}
+
+#[test]
+fn sets_of_cells_survive_beside_their_block() {
+    let rectangle = Rectangle::uniform([0.0, 2.0], [0.0, 1.0], [4, 3], ElementKind::Q4);
+    let mut parts = rectangle
+        .and_then(|r| r.generate())
+        .expect("a rectangle")
+        .into_parts();
+    parts.blocks[0].name = "my block".to_owned();
+    parts.element_sets.insert("soft".to_owned(), vec![0, 5, 7]);
+    parts.element_sets.insert("my block".to_owned(), vec![1]);
+    let mesh = Mesh::new(parts.clone()).expect("a valid mesh");
+    let msh = imported(&write_msh(&mesh).expect("text"), Format::Gmsh);
+    let inp = write_inp(&mesh, PlaneState::Strain).expect("text");
+    assert!(inp.contains("*ELEMENT, TYPE=CPE4, ELSET=\"my block-block\""));
+    for file in [msh, imported(&inp, Format::Abaqus)] {
+        assert_eq!(file.parts.element_sets["soft"], [0, 5, 7]);
+        assert_eq!(file.parts.element_sets["my block"], [1]);
+        assert_eq!(file.parts.element_sets["my block-block"].len(), 12);
+        assert_eq!(
+            file.parts.blocks[0].connectivity,
+            parts.blocks[0].connectivity
+        );
+        assert_eq!(ends(&file, "left").len(), 3);
+    }
+}
+
+#[test]
+fn cells_and_names_without_a_place_in_the_format_are_refused() {
+    let refused = |kind| {
+        let rectangle = Rectangle::uniform([0.0, 1.0], [0.0, 1.0], [1, 1], kind);
+        rectangle.and_then(|r| r.generate()).expect("a rectangle")
+    };
+    let kind = |result| matches!(result, Err(WriteError::Kind { .. }));
+    assert!(kind(write_inp(
+        &refused(ElementKind::Q9),
+        PlaneState::Stress
+    )));
+    assert!(kind(write_msh(&refused(ElementKind::P3))));
+    assert!(write_msh(&refused(ElementKind::P2)).is_ok());
+    for name in ["a\"b", "", " a", "a\nb"] {
+        let mut parts = refused(ElementKind::Q4).into_parts();
+        parts.node_sets.insert(name.to_owned(), vec![0]);
+        let mesh = Mesh::new(parts).expect("a valid mesh");
+        assert!(
+            matches!(write_msh(&mesh), Err(WriteError::Name { .. })),
+            "{name:?}"
+        );
+    }
+    let mut parts = refused(ElementKind::Q4).into_parts();
+    parts.node_sets.insert("LEFT".to_owned(), vec![0]);
+    let mesh = Mesh::new(parts).expect("a valid mesh");
+    assert!(write_msh(&mesh).is_ok());
+    assert!(matches!(
+        write_inp(&mesh, PlaneState::Stress),
+        Err(WriteError::Name { .. })
+    ));
+}
+
+#[test]
+fn mid_nodes_snap_from_chords_to_the_circle() {
+    for kind in [ElementKind::T6, ElementKind::Q8, ElementKind::Q9] {
+        let mesh = meshes(kind).swap_remove(0);
+        let exact = mesh.clone().into_parts();
+        let mut chords = exact.clone();
+        let edges = mesh.edge_set("hole").expect("a hole").edges.clone();
+        for &edge in &edges {
+            let nodes = mesh.edge_nodes(edge);
+            let [a, b] = nodes.ends.map(|node| mesh.nodes()[node]);
+            chords.nodes[nodes.inner[0]] = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        }
+        chords.edge_sets.get_mut("hole").expect("a hole").curve = None;
+        let moved = snap(&mut chords, "hole").expect("a circle");
+        assert_eq!(moved, edges.len());
+        for (a, b) in chords.nodes.iter().zip(&exact.nodes) {
+            // The fit and the projection err by rounding of coordinates of size 1.
+            assert!(
+                (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-14,
+                "{a:?} {b:?}"
+            );
+        }
+        assert_eq!(snap(&mut chords, "hole"), Ok(0));
+        assert!(snap(&mut chords, "no such set").is_err());
+        assert_eq!(snap(&mut chords, "left"), Ok(0));
+    }
+}
