@@ -42,6 +42,7 @@ mod numbers;
 mod place;
 mod raw;
 mod recognise;
+mod subset;
 mod write;
 
 use stickslip_fem_core::mesh::MeshParts;

@@ -29,6 +29,7 @@ use super::scene::Scene;
 use super::schema::{
     Analysis, Body, Contact, Failure, KinematicsChoice, Load, Material, Platen, SetRef, Support,
 };
+use super::shape::ShapeFormat;
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
 
 /// Most letters of a name, which is a part of file names.
@@ -49,6 +50,7 @@ pub(super) fn build(
 ) -> Result<Scene, SceneError> {
     let mut builder = Builder {
         document: &document,
+        base,
         findings: Vec::new(),
         bodies: BTreeMap::new(),
     };
@@ -112,13 +114,13 @@ pub(super) fn build(
         display: units.display(),
         analysis,
         materials,
+        hash: written::hash(&format, &bodies, &loads),
         bodies,
         mesh,
         is_divided,
         contacts,
         supports,
         platens,
-        hash: written::hash(&format, &loads),
         loads,
         edges,
         failure,
@@ -134,7 +136,9 @@ pub(super) fn build(
 fn leaves_increments(format: &SceneFormat) -> bool {
     let analysis = &format.analysis;
     let mut own = format.bodies.values().map(|body| &body.mesh);
-    let is_divided = format.mesh.is_some() || own.any(Option::is_some);
+    let mut shapes = format.bodies.values().map(|body| &body.shape);
+    let is_divided =
+        format.mesh.is_some() || own.any(Option::is_some) || shapes.any(ShapeFormat::has_own_mesh);
     analysis.accuracy.is_some()
         || !is_divided
         || analysis.kinematics == Some(KinematicsChoice::Auto)
@@ -146,6 +150,8 @@ type Materials = BTreeMap<String, Material>;
 /// What has been built and found so far.
 struct Builder<'a> {
     document: &'a Document,
+    /// The folder that data files are relative to.
+    base: &'a Path,
     findings: Vec<Finding>,
     bodies: BTreeMap<String, Body>,
 }

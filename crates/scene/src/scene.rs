@@ -78,12 +78,10 @@ impl Scene {
         own.unwrap_or(&self.mesh)
     }
 
-    /// Whether the scene says how finely `body` is divided.
+    /// Whether the scene says how finely `body` is divided, or gives its mesh.
     pub fn divides(&self, body: &str) -> bool {
-        let own = self
-            .bodies
-            .get(body)
-            .is_some_and(|body| body.mesh.is_some());
+        let own = self.bodies.get(body);
+        let own = own.is_some_and(|body| body.mesh.is_some() || body.shape.has_own_mesh());
         own || self.is_divided
     }
 

@@ -6,6 +6,7 @@
 //! | [`Ring`]         | `shape.plate_with_hole.outline.ring`   | a plate between two circles                       |
 //! | [`Disk`]         | `shape.disk`                           | a pin                                             |
 //! | [`Profile`]      | `shape.outline`                        | lines and arcs with any number of holes           |
+//! | [`GivenMesh`]    | `shape.mesh`                           | cells of a file                                   |
 //! | [`Rectangle`]    | `shape.rectangle`                      | a coupon                                          |
 //! | [`Block`]        | `shape.block`                          | stands for the half-plane below a line contact    |
 //! | [`Cylinder`]     | `shape.cylinder`                       | the cap above it                                  |
@@ -17,6 +18,7 @@ mod block;
 mod cylinder;
 mod disk;
 mod hole;
+mod imported;
 mod line_contact;
 mod outline;
 mod profile;
@@ -80,6 +82,11 @@ macro_rules! shapes {
         }
 
         impl ShapeFormat {
+            /// Whether it brings a mesh that no setting divides.
+            pub(crate) fn has_own_mesh(&self) -> bool {
+                matches!(self, Self::GivenMesh(_))
+            }
+
             /// The shape that the table `table` of a body describes.
             pub(crate) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Shape {
                 match self {
@@ -133,6 +140,7 @@ shapes! {
     others:
         "disk" => disk::Disk,
         "outline" => profile::Profile,
+        "mesh" => imported::GivenMesh,
         "rectangle" => rectangle::Rectangle,
         "block" => block::Block,
         "cylinder" => cylinder::Cylinder,

@@ -1,6 +1,6 @@
 //! What a scene says of each body, contact and load: its names are resolved here, and become indices.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -207,6 +207,22 @@ impl<'a> Plan<'a> {
                 Hold::Axes(axes) => [x && !axes.x, y && !axes.y],
                 Hold::Direction(_) => [false; 2],
             })
+    }
+
+    /// The bodies that contact links to `body`, and itself.
+    pub(super) fn linked(&self, body: usize) -> BTreeSet<usize> {
+        let pairs = self.pairs();
+        let mut linked = BTreeSet::from([body]);
+        let mut count = 0;
+        while count < linked.len() {
+            count = linked.len();
+            for [one, other] in &pairs {
+                if linked.contains(one) || linked.contains(other) {
+                    linked.extend([*one, *other]);
+                }
+            }
+        }
+        linked
     }
 
     /// The indices of the two bodies of every contact.

@@ -1,6 +1,10 @@
 //! What a reader must know of a scene's geometry before it is solved.
 
-use super::plan::{ContactPlan, Plan};
+use std::collections::BTreeSet;
+
+use stickslip_scene::schema::{Hold, Support};
+
+use super::plan::{ContactPlan, Placed, Plan};
 use crate::results::{ContactFinding, Finding, Quantity};
 
 /// Clearance, as a part of the hole's radius, from which pairing points at equal angles is reported.
@@ -14,7 +18,47 @@ pub(super) fn of_scene(plan: &Plan<'_>) -> Vec<Finding> {
         let found = found.map(|finding| Finding::about(&contact.of.name, finding));
         found.collect::<Vec<_>>()
     };
-    plan.contacts.iter().flat_map(of_contact).collect()
+    let of_file = plan.bodies.iter().filter_map(|body| {
+        let notes = body.shape.notes().to_vec();
+        let body = body.name.to_owned();
+        (!notes.is_empty()).then_some(Finding::MeshFile { body, notes })
+    });
+    let contacts = plan.contacts.iter().flat_map(of_contact);
+    contacts
+        .chain(of_file)
+        .chain(held_at_points(plan))
+        .collect()
+}
+
+/// Elastic bodies that are held at a point, where another support can take a part of the load.
+fn held_at_points(plan: &Plan<'_>) -> Option<Finding> {
+    let at_point = |support: &&Placed<'_, Support>| {
+        let body = &plan.bodies[support.body];
+        let is_point = support.edge.is_none() && !body.shape.is_area(&support.of.on.set);
+        is_point && body.elastic.is_some()
+    };
+    let axes = |hold: &Hold| match hold {
+        Hold::Axes(axes) => [axes.x, axes.y],
+        Hold::Direction(_) => [true; 2],
+    };
+    let shares = |support: &&Placed<'_, Support>| {
+        let (linked, own) = (plan.linked(support.body), axes(&support.of.hold));
+        let beside = |body: usize, held: [bool; 2]| {
+            body != support.body
+                && linked.contains(&body)
+                && (0..2).any(|axis| own[axis] && held[axis])
+        };
+        let mut others = plan.supports.iter();
+        let mut platens = plan.platens.iter();
+        others.any(|other| beside(other.body, axes(&other.of.hold)))
+            || platens.any(|other| beside(other.body, [!other.of.free.x, !other.of.free.y]))
+    };
+    let held = plan.supports.iter().filter(at_point).filter(shares);
+    let held: BTreeSet<usize> = held.map(|support| support.body).collect();
+    let bodies: Vec<String> = (held.into_iter())
+        .map(|body| plan.bodies[body].name.to_owned())
+        .collect();
+    (!bodies.is_empty()).then_some(Finding::PointSupports { bodies })
 }
 
 /// Bodies of different thickness press on each other over the first one's.

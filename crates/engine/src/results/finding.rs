@@ -92,6 +92,18 @@ pub enum Finding {
         /// What ordinary rounding does not reach.
         usual: f64,
     },
+    /// What of the file of a body's mesh was passed over or changed.
+    MeshFile {
+        /// The body.
+        body: String,
+        /// What, one line each.
+        notes: Vec<String>,
+    },
+    /// Bodies are held at single points, on whose nodes it depends how load is shared.
+    PointSupports {
+        /// The bodies.
+        bodies: Vec<String>,
+    },
     /// The accuracy that is asked for is not reached.
     AccuracyMissed {
         /// The number whose error is farthest beyond it.

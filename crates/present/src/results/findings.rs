@@ -57,6 +57,15 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              than their contact, and thermal strains far above those of the load cause it.",
             numbers(steps)
         ),
+        Finding::MeshFile { body, notes } => {
+            format!("The mesh of '{body}': {}.", notes.join("; "))
+        }
+        Finding::PointSupports { bodies } => format!(
+            "Elastic bodies held at a single point: {}. Other supports share the load, and a point gives way by an amount that grows with every \
+             finer mesh, so load shares depend on the mesh. Hold a pin over its section (on = \"{}.section\").",
+            quoted(bodies),
+            bodies.first().map_or("pin", String::as_str)
+        ),
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, end),
         Finding::ContactParts { steps } => format!(
             "In an increment of load step {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \

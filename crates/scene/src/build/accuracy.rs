@@ -69,12 +69,37 @@ impl Builder<'_> {
             let remedy = "remove the table mesh, or say model = \"elements\"";
             self.conflict("mesh", message, remedy);
         }
+        self.given_meshes(format);
         self.half_planes(format);
         for name in &series {
             let (own, model) = (child("bodies", name), "model = \"series\"");
             if format.bodies[name].mesh.is_some() {
                 let key = child(&own, "mesh");
                 let message = format!("{key} divides a body that {model} leaves whole");
+                self.conflict(&key, message, "remove one of the two");
+            }
+        }
+    }
+
+    /// Refuses an accuracy beside a mesh that cannot be made finer, and settings that would divide it.
+    fn given_meshes(&mut self, format: &SceneFormat) {
+        let own = self.bodies.iter();
+        let own = own.filter(|(_, body)| body.shape.has_own_mesh());
+        let names: Vec<String> = own.map(|(name, _)| name.clone()).collect();
+        let Some(first) = names.first() else {
+            return;
+        };
+        if format.analysis.accuracy.is_some() {
+            let message = format!(
+                "the mesh of '{first}' is given by a file, so nothing is known of its error"
+            );
+            let remedy = "remove accuracy, and compare with a finer file";
+            self.conflict("analysis.accuracy", message, remedy);
+        }
+        for name in names {
+            if format.bodies[&name].mesh.is_some() {
+                let key = child(&child("bodies", &name), "mesh");
+                let message = format!("{key} divides a body whose mesh is given by a file");
                 self.conflict(&key, message, "remove one of the two");
             }
         }

@@ -1,6 +1,7 @@
 //! Materials and bodies.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
 use stickslip_fem_core::material::{MaterialError, OrthotropicConstants, OutOfPlane, PlaneState};
@@ -10,6 +11,7 @@ use super::{Builder, Materials};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
 use crate::format::{BodyFormat, IsotropicFormat, MaterialFormat, OrthotropicFormat, SceneFormat};
+use crate::limits::Content;
 use crate::schema::{Body, Material, Substance};
 use crate::shape::Sizes;
 use crate::units::{Length, PerTemperature, Quantity};
@@ -206,6 +208,22 @@ impl Builder<'_> {
 impl Sizes for Builder<'_> {
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str) {
         self.out_of_range(key, size.text(), allowed);
+    }
+
+    fn file(&self, path: &Path) -> Result<String, String> {
+        let host = self.document.host;
+        let text = host.read_text(&self.base.join(path), Content::Table);
+        text.map_err(|cause| cause.to_string())
+    }
+
+    fn bad_file(&mut self, key: &str, path: &str, cause: String, remedy: String) {
+        let path = path.to_owned();
+        let problem = SceneProblem::DataFile {
+            path,
+            cause,
+            remedy,
+        };
+        self.report(key, Part::Value, problem);
     }
 
     fn conflict(&mut self, key: &str, message: String, remedy: &str) {

@@ -196,8 +196,8 @@ impl Builder<'_> {
         let remedy = if swapped {
             format!("swap them: first = \"{second}\", second = \"{first}\"")
         } else {
-            "first is the hole of a plate_with_hole and second the rim of a disk or the outer edge of a ring, or first the \
-             contact edge of a cylinder and second that of a block"
+            "first is a circular hole and second the rim of a disk or the outer edge of a ring, or first the contact edge of a \
+             cylinder and second that of a block"
                 .to_owned()
         };
         let problem = SceneProblem::ContactPair {
@@ -211,11 +211,11 @@ impl Builder<'_> {
     /// Refuses two circles that overlap without being meant to, or that small displacements or gaps along radii cannot join.
     fn circles(&mut self, interference: bool, edges: [&SetRef; 2], [hole, inner]: [f64; 2]) {
         let [hole_key, inner_key] = edges.map(|edge| self.radius_key(edge));
-        let text = |key: &str| {
+        let text = |key: &str, radius: f64| {
             let value = self.document.get(key).and_then(serde_json::Value::as_str);
-            value.unwrap_or_default().to_owned()
+            value.map_or_else(|| format!("{radius} mm"), str::to_owned)
         };
-        let (hole_text, inner_text) = (text(&hole_key), text(&inner_key));
+        let (hole_text, inner_text) = (text(&hole_key, hole), text(&inner_key, inner));
         // Differences are reported in the unit that the inner radius is written in.
         let unit = crate::units::unit_of(&inner_text);
         let show = |value: f64| unit.map_or_else(|| format!("{value} mm"), |unit| unit.show(value));
@@ -253,11 +253,11 @@ impl Builder<'_> {
 
     /// Key of the radius of a circular edge.
     fn radius_key(&self, edge: &SetRef) -> String {
-        let size = self
-            .edge_of(edge)
-            .and_then(|edge| edge.size)
-            .unwrap_or_default();
-        format!("bodies.{}.shape.{size}", edge.body)
+        let shape = format!("bodies.{}.shape", edge.body);
+        match self.edge_of(edge).and_then(|edge| edge.size) {
+            Some(size) => format!("{shape}.{size}"),
+            None => shape,
+        }
     }
 }
 

@@ -52,7 +52,9 @@ impl Builder<'_> {
     fn undivided(&mut self) -> MeshSettings {
         let elastic = self.bodies.values();
         let elastic = elastic.filter(|body| body.substance != Substance::Rigid);
-        let (round, others): (Vec<&Shape>, Vec<&Shape>) = elastic
+        let (given, elastic): (Vec<_>, Vec<_>) =
+            elastic.partition(|body| body.shape.has_own_mesh());
+        let (round, others): (Vec<&Shape>, Vec<&Shape>) = (elastic.iter())
             .map(|body| &body.shape)
             .partition(|shape| shape.is_round());
         let least = |shape: &&Shape| {
@@ -65,7 +67,9 @@ impl Builder<'_> {
             coarse_spacing: None,
         };
         let extent = others.iter().map(least).reduce(f64::min);
-        if extent.is_some() && !round.is_empty() && !self.is_refused("mesh") {
+        let is_mixed = extent.is_some() && !round.is_empty();
+        let needs_mesh = is_mixed || (!given.is_empty() && !elastic.is_empty());
+        if needs_mesh && !self.is_refused("mesh") {
             self.missing("", "mesh");
         }
         let division = extent.map_or(Division::Angular(grading(TAU / 120.0)), |extent| {
@@ -289,7 +293,8 @@ impl Builder<'_> {
             .iter()
             .copied()
             .filter_map(|body| Some((body, self.bodies.get(body)?.shape.clone())));
-        let mut misfits = shapes.filter(|(_, shape)| wanted(shape) != dimension);
+        let mut misfits =
+            shapes.filter(|(_, shape)| !shape.has_own_mesh() && wanted(shape) != dimension);
         let Some((body, shape)) = misfits.next() else {
             return;
         };

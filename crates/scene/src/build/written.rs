@@ -1,12 +1,14 @@
 //! A scene written with all its defaults, and its hash.
 
+use std::collections::BTreeMap;
+
 use serde_json::Value;
 
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::document::{Document, Part};
 use crate::format::SceneFormat;
 use crate::open::sha256;
-use crate::schema::{Load, LoadKind};
+use crate::schema::{Body, Load, LoadKind};
 use crate::units::{Dimension, Expected, parse};
 
 pub(super) fn resolved(document: &Document, spelled: &SceneFormat) -> Result<String, SceneError> {
@@ -16,7 +18,11 @@ pub(super) fn resolved(document: &Document, spelled: &SceneFormat) -> Result<Str
     })
 }
 
-pub(super) fn hash(spelled: &SceneFormat, loads: &[Load]) -> String {
+pub(super) fn hash(
+    spelled: &SceneFormat,
+    bodies: &BTreeMap<String, Body>,
+    loads: &[Load],
+) -> String {
     // Serialising plain structs with text keys does not fail; a scene without a hash would be no error either.
     let value = serde_json::to_value(spelled).unwrap_or_default();
     let mut bytes = canonical(value).to_string().into_bytes();
@@ -25,6 +31,9 @@ pub(super) fn hash(spelled: &SceneFormat, loads: &[Load]) -> String {
             let numbers = table.theta.iter().chain(&table.radial).chain(&table.shear);
             bytes.extend(numbers.flat_map(|number| number.to_le_bytes()));
         }
+    }
+    for body in bodies.values() {
+        bytes.extend(body.shape.digest().as_bytes());
     }
     sha256(bytes)
 }

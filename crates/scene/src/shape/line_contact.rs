@@ -39,7 +39,7 @@ pub(super) fn meshing(own: &dyn Outline, divided: &Divided<'_>) -> Result<Meshin
             .into_iter()
             .find_map(|shape| match shape.edge_with(Role::Cap)?.curve {
                 Curve::Arc { radius, .. } => Some(radius),
-                Curve::Circle { .. } | Curve::Segment { .. } => None,
+                _ => None,
             });
     let half_width = lengths[0].min(lengths[1]);
     let height = heights[0].min(heights[1]);

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
+use std::path::Path;
 
 use stickslip_fem_core::generate::{Extent, Generate, GenerateError};
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
@@ -42,6 +43,21 @@ pub trait Outline: fmt::Debug {
     /// Whether its mesh is divided by angles about its centre, and otherwise by lengths.
     fn is_round(&self) -> bool {
         self.mesh_keys().contains(&"angles")
+    }
+
+    /// What of it stands in no key of the scene but in a file, as a checksum.
+    fn digest(&self) -> &str {
+        ""
+    }
+
+    /// What a reader must know of its file.
+    fn notes(&self) -> &[String] {
+        &[]
+    }
+
+    /// Whether it brings a mesh that no setting divides.
+    fn has_own_mesh(&self) -> bool {
+        self.mesh_keys().is_empty()
     }
 
     /// Whether one length says all of its size, so that its plane compliance is that of any other size.
@@ -138,9 +154,25 @@ pub enum Curve {
         /// Its ends; on the way from the first to the second the body is on the left.
         ends: [Point; 2],
     },
+    /// Anything else, such as an edge of a mesh whose curve is not known.
+    Chain {
+        /// The smallest and the largest x and y of its nodes.
+        bounds: [Point; 2],
+    },
 }
 
 impl Curve {
+    /// A curve of which the nodes `places` are known.
+    pub(super) fn chain(places: &[Point]) -> Self {
+        let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        let bounds = places.iter().fold(start, |[low, high], at| {
+            let less = [0, 1].map(|axis| f64::min(low[axis], at[axis]));
+            let more = [0, 1].map(|axis| f64::max(high[axis], at[axis]));
+            [less, more]
+        });
+        Self::Chain { bounds }
+    }
+
     /// The arc from `from` through `through` to `to`; `None` where they lie on a line.
     pub(super) fn through(from: Point, through: Point, to: Point) -> Option<Self> {
         // About the first point, whose distance from the centre is the radius.
@@ -166,7 +198,7 @@ impl Curve {
             Self::Circle { centre, radius } => {
                 return [centre[axis] - radius, centre[axis] + radius];
             }
-            Self::Segment { ends } => ends.to_vec(),
+            Self::Segment { ends } | Self::Chain { bounds: ends } => ends.to_vec(),
             Self::Arc {
                 centre,
                 radius,
@@ -277,7 +309,7 @@ impl Edge {
     pub fn circle(&self) -> Option<f64> {
         match self.curve {
             Curve::Circle { radius, .. } => Some(radius),
-            Curve::Arc { .. } | Curve::Segment { .. } => None,
+            Curve::Arc { .. } | Curve::Segment { .. } | Curve::Chain { .. } => None,
         }
     }
 
@@ -314,6 +346,7 @@ impl Edge {
                 from * to > 0.0 && turn.abs() < PI
             }
             Curve::Segment { .. } => self.level(1).is_some(),
+            Curve::Chain { .. } => false,
         }
     }
 
@@ -322,6 +355,7 @@ impl Edge {
         match self.curve {
             Curve::Circle { .. } => self.role == Role::Hole,
             Curve::Arc { ends, .. } | Curve::Segment { ends } => ends[1][0] > ends[0][0],
+            Curve::Chain { .. } => false,
         }
     }
 
@@ -414,6 +448,9 @@ pub enum DivisionError {
         /// Name of the kind that is asked for.
         kind: &'static str,
     },
+    /// A mesh whose file was refused.
+    #[error("its mesh could not be read")]
+    NoFile,
     /// So many nodes that they are not counted exactly.
     #[error("the mesh would have about {nodes:.3e} nodes")]
     TooManyNodes {
@@ -429,6 +466,12 @@ pub enum DivisionError {
 pub(crate) trait Sizes {
     /// Reports the size at `key`, which is not what is `allowed`.
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str);
+
+    /// The text of a file whose path is relative to the folder of the scene; otherwise why there is none.
+    fn file(&self, path: &Path) -> Result<String, String>;
+
+    /// Reports that the file `path`, named at `key`, cannot be used.
+    fn bad_file(&mut self, key: &str, path: &str, cause: String, remedy: String);
 
     /// Reports that what stands at `key` does not fit together, as `message` says.
     fn conflict(&mut self, key: &str, message: String, remedy: &str);

@@ -1,7 +1,14 @@
 //! The contract of a shape, for every shape of the list.
 
-use stickslip_fem_core::generate::{Extent, uniform_angles};
+use std::path::Path;
+
+use stickslip_fem_core::generate::{
+    self, Extent, Generate, Growth, PlateWithHole, uniform_angles,
+};
+use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
+
+use stickslip_mesh_files::write_inp;
 
 use super::outline::CIRCLE_KEYS;
 use super::{Curve, Divided, EXAMPLES, Edge, Role, Shape, ShapeFormat, Sizes};
@@ -21,6 +28,25 @@ struct Right;
 impl Sizes for Right {
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str) {
         panic!("{key} = {} is not {allowed}", size.text());
+    }
+
+    fn file(&self, path: &Path) -> Result<String, String> {
+        assert_eq!(path, Path::new("ring.inp"));
+        let ring = PlateWithHole {
+            hole_radius: 5.0,
+            outline: generate::Outline::Ring { outer_radius: 15.0 },
+            extent: Extent::Whole,
+            angles: uniform_angles(Extent::Whole, 48),
+            layers: 9,
+            growth: Growth::Geometric { aspect: 1.0 },
+            far_cells: 3,
+            kind: ElementKind::Q8,
+        };
+        Ok(write_inp(&ring.generate().unwrap(), PlaneState::Stress).unwrap())
+    }
+
+    fn bad_file(&mut self, key: &str, path: &str, cause: String, remedy: String) {
+        panic!("{key}: {path}: {cause}; {remedy}");
     }
 
     fn conflict(&mut self, key: &str, message: String, remedy: &str) {
@@ -86,6 +112,7 @@ fn divided<T>(shape: &Shape, extent: Extent, then: impl Fn(&Divided<'_>) -> T) -
 /// How far `at` lies from the curve `[mm]`.
 fn distance(curve: Curve, [x, y]: Point) -> f64 {
     match curve {
+        Curve::Chain { .. } => 0.0,
         Curve::Circle {
             centre: [centre_x, centre_y],
             radius,
@@ -199,7 +226,7 @@ fn left_out(shape: &Shape, edge: &Edge, extent: Extent) -> bool {
 #[test]
 fn the_list_names_every_shape_once() {
     let shapes = shapes();
-    assert_eq!(shapes.len(), 7);
+    assert_eq!(shapes.len(), 8);
     for (index, shape) in shapes.iter().enumerate() {
         let kind = std::mem::discriminant(shape);
         assert!(
@@ -363,7 +390,7 @@ fn normals_point_in_where_the_edge_says() {
                 Curve::Circle { centre, radius } => {
                     [(x - centre[0]) / radius, (y - centre[1]) / radius]
                 }
-                Curve::Arc { .. } | Curve::Segment { .. } => [0.0, 1.0],
+                Curve::Arc { .. } | Curve::Segment { .. } | Curve::Chain { .. } => [0.0, 1.0],
             };
             let cells = (0..mesh.element_count()).map(|cell| mesh.element(cell).1);
             let mut depth = 0.0;
@@ -395,7 +422,9 @@ fn keys_of_sizes_lead_to_the_sizes() {
             let value: Quantity<Length> = value.unwrap().clone().try_into().unwrap();
             let size = match edge.curve {
                 Curve::Circle { radius, .. } | Curve::Arc { radius, .. } => radius,
-                Curve::Segment { .. } => edge.level(0).or(edge.level(1)).unwrap().abs(),
+                Curve::Segment { .. } | Curve::Chain { .. } => {
+                    edge.level(0).or(edge.level(1)).unwrap().abs()
+                }
             };
             assert_eq!(value.value(), size, "{key}");
         }
@@ -424,6 +453,9 @@ fn a_hole_takes_a_rim_and_a_cap_takes_a_surface() {
 fn mesh_keys_are_those_that_change_the_mesh() {
     for shape in shapes() {
         let keys = shape.mesh_keys();
+        if shape.has_own_mesh() {
+            continue;
+        }
         assert!(keys.contains(&"spacing"), "{shape:?}");
         for key in keys {
             assert!(declared(&child("mesh", key)).is_some(), "{key}");

@@ -19,7 +19,7 @@ fn unknown_keys() {
     let (message, help, _, shown) = refused("shape.disk", "shape.circle");
     assert_eq!(message, "'circle' is not one of the choices");
     assert!(
-        help.ends_with("choices: plate_with_hole, disk, outline, rectangle, block, cylinder"),
+        help.ends_with("choices: plate_with_hole, disk, outline, mesh, rectangle, block, cylinder"),
         "{help}"
     );
     assert_eq!(shown, "circle");

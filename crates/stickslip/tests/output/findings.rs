@@ -75,6 +75,13 @@ fn of_the_run() -> Vec<Finding> {
             residual: 2.8e-7,
             usual: 1e-8,
         },
+        Finding::MeshFile {
+            body: "plate".into(),
+            notes: vec!["3 nodes belong to no cell".into()],
+        },
+        Finding::PointSupports {
+            bodies: vec!["pin".into()],
+        },
         Finding::AccuracyMissed {
             number: "peak tangential stress",
             error: 0.0662,

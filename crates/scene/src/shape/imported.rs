@@ -1,0 +1,378 @@
+//! `mesh`: a body whose mesh is in a file of another program.
+//!
+//! Its sets name its edges and points. An edge whose nodes lie on a line or a circle is that line or circle.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::path::Path;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate};
+use stickslip_fem_core::mesh::{self, EdgePath, ElementKind, Mesh, Point};
+use stickslip_mesh_files::{Coincident, Format, Imported, read_with, recognise_set, snap};
+
+use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::declaration::{Key, NONE, REQUIRED, text, words};
+use crate::document::child;
+use crate::open::sha256;
+use crate::units::{Length, UnitName};
+
+const NAME: &str = "mesh";
+
+pub(super) const MEANING: &str = "a mesh of Gmsh (`.msh`, text), Abaqus or CalculiX (`.inp`); edges and points as its sets are named";
+
+#[rustfmt::skip]
+pub(super) const ROWS: &[Key] = &[
+    text("file", REQUIRED, r#""part.msh""#, "the file, relative to the folder of the scene"),
+    words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
+    text("elements", NONE, r#""plate""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
+];
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Keys {
+    file: String,
+    unit: UnitName<Length>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    elements: Option<String>,
+}
+
+#[cfg(test)]
+pub(super) const EXAMPLE: &str = r#"mesh = { file = "ring.inp", unit = "mm" }"#;
+
+impl Keys {
+    pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> GivenMesh {
+        let made = self.given(sizes).unwrap_or_else(|[key, cause, remedy]| {
+            sizes.bad_file(&child(table, key), &self.file, cause, remedy);
+            None
+        });
+        made.unwrap_or_else(|| GivenMesh {
+            file: self.file.clone(),
+            digest: String::new(),
+            mesh: None,
+            edges: Vec::new(),
+            points: Vec::new(),
+            notes: Vec::new(),
+        })
+    }
+
+    /// The mesh; `None` where the file has been refused already, otherwise key, cause and remedy.
+    fn given(&self, sizes: &mut dyn Sizes) -> Result<Option<GivenMesh>, [String; 3]> {
+        let refused = |key: &str, cause: String, remedy: &str| {
+            Err([key.to_owned(), cause, remedy.to_owned()])
+        };
+        let Some(format) = Format::of_name(&self.file) else {
+            let cause = "its name ends neither in .msh nor in .inp".to_owned();
+            return refused(
+                "file",
+                cause,
+                "export the mesh from Gmsh as .msh (text) or from Abaqus or CalculiX as .inp",
+            );
+        };
+        let content = match sizes.file(Path::new(&self.file)) {
+            Ok(content) => content,
+            Err(cause) => {
+                return refused(
+                    "file",
+                    cause,
+                    "the path is relative to the folder of the scene",
+                );
+            }
+        };
+        let folder = Path::new(&self.file).parent().unwrap_or(Path::new(""));
+        let include = |name: &str| {
+            let inside = Path::new(name).components();
+            let stays = inside
+                .into_iter()
+                .all(|part| matches!(part, std::path::Component::Normal(_)));
+            if stays {
+                sizes.file(&folder.join(name))
+            } else {
+                Err("it leaves the folder of the mesh".to_owned())
+            }
+        };
+        let coincident = match self.elements {
+            Some(_) => Coincident::Allow,
+            None => Coincident::Refuse,
+        };
+        let read = read_with(&content, format, &include, coincident);
+        let all = match read {
+            Ok(all) => all,
+            Err(cause) => {
+                return refused(
+                    "file",
+                    cause.to_string(),
+                    "correct the mesh in the program that made it, and export it again",
+                );
+            }
+        };
+        let own = match &self.elements {
+            None => all,
+            Some(set) => match all.only(set) {
+                Some(own) => own,
+                None => {
+                    let known: Vec<&str> =
+                        all.parts.element_sets.keys().map(String::as_str).collect();
+                    let cause = format!("it has no element set '{set}'");
+                    return refused(
+                        "elements",
+                        cause,
+                        &format!("sets of the file: {}", known.join(", ")),
+                    );
+                }
+            },
+        };
+        let scale = self.unit.unit().in_base;
+        match GivenMesh::new(&self.file, sha256(content.as_bytes()), own, scale) {
+            Ok(made) => Ok(Some(made)),
+            Err(cause) => refused(
+                "file",
+                cause,
+                "correct the mesh in the program that made it, and export it again",
+            ),
+        }
+    }
+}
+
+/// A mesh from a file.
+#[derive(Clone, PartialEq)]
+pub struct GivenMesh {
+    /// The file as the scene names it.
+    pub file: String,
+    /// SHA-256 of its text.
+    pub digest: String,
+    /// Its cells, coordinates in `[mm]`; `None` of a file that was refused.
+    mesh: Option<Arc<Mesh>>,
+    edges: Vec<Edge>,
+    points: Vec<(String, Point)>,
+    /// What of the file was passed over or changed.
+    pub notes: Vec<String>,
+}
+
+impl fmt::Debug for GivenMesh {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let nodes = self.mesh.as_ref().map_or(0, |mesh| mesh.nodes().len());
+        write!(
+            formatter,
+            "GivenMesh({}, {nodes} nodes, {})",
+            self.file, self.digest
+        )
+    }
+}
+
+impl GivenMesh {
+    fn new(file: &str, digest: String, own: Imported, scale: f64) -> Result<Self, String> {
+        let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
+        let mut parts = own.parts;
+        for node in &mut parts.nodes {
+            *node = node.map(|x| scale * x);
+        }
+        let names: Vec<String> = parts.edge_sets.keys().cloned().collect();
+        for name in &names {
+            match recognise_set(&parts, name).map(|found| found.curve) {
+                Ok(mesh::Curve::Arc { radius, .. }) => {
+                    let moved = snap(&mut parts, name).map_err(|cause| cause.to_string())?;
+                    if moved > 0 {
+                        notes.push(format!(
+                            "{moved} mid nodes of '{name}' were put from chords onto its circle of radius {radius:.6} mm"
+                        ));
+                    }
+                }
+                Ok(curve @ mesh::Curve::Line) => {
+                    if let Some(set) = parts.edge_sets.get_mut(name) {
+                        set.curve = Some(curve);
+                    }
+                }
+                Err(_) => {}
+            }
+        }
+        let points = (parts.node_sets.iter())
+            .filter(|(name, nodes)| !parts.edge_sets.contains_key(*name) && !nodes.is_empty())
+            .map(|(name, nodes)| (name.clone(), parts.nodes[nodes[0]]));
+        let points = points.collect();
+        // Supports hold the nodes of an edge by its name.
+        let plain = Mesh::new(parts).map_err(|cause| cause.to_string())?;
+        let paths = names.iter().map(|name| (name, plain.edge_path(name).ok()));
+        let paths: Vec<(&String, Option<EdgePath>)> = paths.collect();
+        let edges = (paths.iter())
+            .map(|(name, path)| edge(&plain, name, path.as_ref()))
+            .collect();
+        let mut sets = Vec::new();
+        for name in &names {
+            let set = plain.edge_set(name).map_err(|cause| cause.to_string())?;
+            let mut nodes: Vec<usize> = (set.edges.iter())
+                .flat_map(|&own| plain.edge_nodes(own).walk().collect::<Vec<_>>())
+                .collect();
+            nodes.sort_unstable();
+            nodes.dedup();
+            sets.push((name.clone(), nodes));
+        }
+        let mut parts = plain.into_parts();
+        parts.node_sets.extend(sets);
+        let mesh = Mesh::new(parts).map_err(|cause| cause.to_string())?;
+        Ok(Self {
+            file: file.to_owned(),
+            digest,
+            mesh: Some(Arc::new(mesh)),
+            edges,
+            points,
+            notes,
+        })
+    }
+}
+
+/// The edge of the set `name`, whose edges form the chain `path` if they form one.
+fn edge(mesh: &Mesh, name: &str, path: Option<&EdgePath>) -> Edge {
+    let at = |node: usize| mesh.nodes()[node];
+    let set = mesh.edge_set(name).ok();
+    let all = (set.iter().flat_map(|set| &set.edges))
+        .flat_map(|&own| mesh.edge_nodes(own).walk().collect::<Vec<_>>());
+    let places: Vec<Point> = match path {
+        Some(path) => path.nodes.iter().map(|&node| at(node)).collect(),
+        None => all.map(at).collect(),
+    };
+    let known = set.and_then(|set| set.curve).filter(|_| path.is_some());
+    let closed = path.is_some_and(|path| path.closed);
+    let ends = [places[0], places[places.len() - 1]];
+    let (curve, role) = match known {
+        Some(mesh::Curve::Arc { centre, radius }) if closed => {
+            let is_hole = turned(centre, &places, closed) < 0.0;
+            let role = if is_hole { Role::Hole } else { Role::Rim };
+            (Curve::Circle { centre, radius }, role)
+        }
+        Some(mesh::Curve::Arc { centre, radius }) => {
+            let turn = turned(centre, &places, closed);
+            let arc = Curve::Arc {
+                centre,
+                radius,
+                ends,
+                turn,
+            };
+            (arc, Role::Free)
+        }
+        Some(mesh::Curve::Line) => (Curve::Segment { ends }, Role::Free),
+        None => (Curve::chain(&places), Role::Free),
+    };
+    Edge {
+        name: Cow::Owned(name.to_owned()),
+        curve,
+        role,
+        size: None,
+    }
+}
+
+/// The angle about `centre` through which a walk along `places` turns, counter-clockwise positive `[rad]`.
+fn turned(centre: Point, places: &[Point], closed: bool) -> f64 {
+    let step = |a: Point, b: Point| {
+        let [u, v] = [a, b].map(|p| [p[0] - centre[0], p[1] - centre[1]]);
+        (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
+    };
+    let along: f64 = places.windows(2).map(|pair| step(pair[0], pair[1])).sum();
+    match (closed, places) {
+        (true, [first, .., last]) => along + step(*last, *first),
+        _ => along,
+    }
+}
+
+impl Outline for GivenMesh {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn edges(&self) -> Vec<Edge> {
+        self.edges.clone()
+    }
+
+    fn points(&self) -> Vec<(Cow<'static, str>, Point)> {
+        let own = self.points.iter();
+        own.map(|(name, at)| (Cow::Owned(name.clone()), *at))
+            .collect()
+    }
+
+    fn areas(&self) -> &'static [&'static str] {
+        &["section"]
+    }
+
+    fn bounds(&self) -> [Point; 2] {
+        let mesh = self.mesh.as_ref();
+        mesh.map_or([[0.0; 2], [1.0; 2]], |mesh| mesh.bounding_box())
+    }
+
+    fn mirror(&self) -> Option<usize> {
+        None
+    }
+
+    fn mesh_keys(&self) -> &'static [&'static str] {
+        &[]
+    }
+
+    fn digest(&self) -> &str {
+        &self.digest
+    }
+
+    fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    fn cells(&self, asked: ElementKind) -> Option<ElementKind> {
+        let own = self.mesh.as_ref().and_then(|mesh| mesh.blocks().first());
+        Some(own.map_or(asked, |block| block.kind))
+    }
+
+    fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
+        let mesh = self.mesh.as_ref().ok_or(DivisionError::NoFile)?;
+        let generator = Moved {
+            mesh: Arc::clone(mesh),
+            by: divided.centre,
+        };
+        Ok(Meshing {
+            generator: Box::new(generator),
+            layers: None,
+        })
+    }
+
+    fn describe(&self, show: &dyn Fn(f64) -> String) -> String {
+        let [low, high] = self.bounds();
+        let [width, height] = [0, 1].map(|axis| show(high[axis] - low[axis]));
+        let nodes = self.mesh.as_ref().map_or(0, |mesh| mesh.nodes().len());
+        format!(
+            "mesh of {nodes} nodes from '{}', {width} by {height}",
+            self.file
+        )
+    }
+}
+
+/// A mesh that stands somewhere else than its file says.
+struct Moved {
+    mesh: Arc<Mesh>,
+    by: Point,
+}
+
+impl Generate for Moved {
+    type Output = Mesh;
+
+    fn estimate(&self) -> Result<MeshEstimate, GenerateError> {
+        Ok(MeshEstimate {
+            nodes: self.mesh.nodes().len(),
+            elements: self.mesh.element_count(),
+        })
+    }
+
+    fn generate_within(&self, limit: usize) -> Result<Mesh, GenerateError> {
+        let nodes = self.mesh.nodes().len();
+        if nodes > limit {
+            let bytes = nodes * 64;
+            return Err(GenerateError::TooLarge {
+                nodes,
+                bytes,
+                limit,
+            });
+        }
+        let own = Mesh::clone(&self.mesh);
+        if self.by == [0.0; 2] {
+            return Ok(own);
+        }
+        Ok(own.translated(self.by)?)
+    }
+}
