@@ -55,6 +55,8 @@ pub struct Results {
     pub scene_hash: String,
     /// The scene as text, with all defaults filled in.
     pub scene: String,
+    /// Whether the meshes of bodies are written for other programs.
+    pub meshes: bool,
     /// Units to show results in.
     pub units: DisplayUnits,
     /// What the program chose, and why.

@@ -339,6 +339,7 @@ fn reported(
         source: request.source.clone(),
         scene_hash: request.scene_hash.clone(),
         scene: request.scene.clone(),
+        meshes: request.meshes,
         units: request.units,
         choices,
         findings: findings(model, &solved, &geometries, &steps),

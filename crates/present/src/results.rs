@@ -10,6 +10,7 @@
 //! | `failure-BODY.csv`, `first-ply-BODY.csv`, `plies-NAME-step-NN.csv`, … | failure of laminates, where the scene asks for it |
 //! | `load-displacement-BODY.csv`, `damage-BODY-PLY.csv` | progressive failure of a joint, where the scene asks for it |
 //! | `results.pvd`, `fields/*.vtu` | displacement and stress fields for ParaView |
+//! | `meshes/*.msh`, `meshes/*.inp` | meshes for other programs, where the scene asks for them |
 //! | `figures/*.svg`, `figures/*.png` | the page's figures |
 //!
 //! Everything is in the scene's display units, and every heading names its unit.
@@ -21,6 +22,7 @@ mod display;
 mod failure;
 mod figures;
 mod findings;
+mod mesh_files;
 mod names;
 mod page;
 mod problem;
@@ -91,6 +93,16 @@ pub enum OutputError {
         /// Its reason.
         #[source]
         cause: MeshError,
+    },
+    /// A mesh that no format of other programs holds.
+    #[error(
+        "body '{body}': its mesh cannot be written for other programs: {cause}; leave out output.meshes"
+    )]
+    MeshFile {
+        /// The body.
+        body: String,
+        /// Its reason.
+        cause: stickslip_mesh_files::WriteError,
     },
     /// A field file.
     #[error("the field file '{file}' could not be written")]
@@ -173,7 +185,9 @@ fn write_tables(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, O
     notes.extend(csv_files::files(results, put)?);
     let (fields, field_notes) = vtk_files::files(results)?;
     notes.extend(field_notes);
-    for (name, bytes) in &fields {
+    let (meshes, mesh_note) = mesh_files::files(results)?;
+    notes.extend(mesh_note);
+    for (name, bytes) in fields.iter().chain(&meshes) {
         put(name, bytes)?;
     }
     Ok(notes)

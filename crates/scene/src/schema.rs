@@ -496,6 +496,8 @@ pub struct Output {
     pub fields: FieldOutput,
     /// Whether figures are drawn.
     pub figures: bool,
+    /// Whether the meshes of bodies are written for other programs.
+    pub meshes: bool,
 }
 
 impl Default for Output {
@@ -503,6 +505,7 @@ impl Default for Output {
         Self {
             fields: FieldOutput::Peak,
             figures: true,
+            meshes: false,
         }
     }
 }

@@ -26,6 +26,8 @@ pub struct Request {
     pub scene_hash: String,
     /// The scene as text, with all defaults filled in.
     pub scene: String,
+    /// Whether the meshes of bodies are written for other programs.
+    pub meshes: bool,
     /// Units to show results in.
     pub units: DisplayUnits,
     /// How the scene asks to be solved.
@@ -90,6 +92,7 @@ impl Request {
             source: scene.source_name.clone(),
             scene_hash: scene.hash.clone(),
             scene: scene.resolved().to_owned(),
+            meshes: scene.output.meshes,
             units: scene.display,
             analysis: scene.analysis,
             fields: scene.output.fields,

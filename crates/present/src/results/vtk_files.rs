@@ -73,7 +73,7 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
 }
 
 /// The mesh with its coordinates in the display unit.
-fn in_display_units(
+pub(super) fn in_display_units(
     mesh: &Mesh,
     results: &Results,
 ) -> Result<Mesh, stickslip_fem_core::mesh::MeshError> {
@@ -81,8 +81,10 @@ fn in_display_units(
     for node in &mut parts.nodes {
         *node = node.map(|coordinate| results.units.length.from_base(coordinate));
     }
-    // The sets' curves are in the old unit, and no viewer reads them.
-    parts.edge_sets.clear();
+    // The sets' curves are in the old unit.
+    for set in parts.edge_sets.values_mut() {
+        set.curve = None;
+    }
     Mesh::new(parts)
 }
 

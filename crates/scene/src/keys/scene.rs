@@ -108,6 +108,7 @@ pub(super) const TABLES: &[Table] = &[
             "load steps whose displacements and stresses are written as VTU, and drawn: none, that of the largest load in \
             magnitude (the earliest of equals), of each load by which joints of their own are counted, the last, every one"),
         flag("figures", "`true`", "false", "whether figures are drawn, as SVG, as PNG and in `report.html`"),
+        flag("meshes", "`false`", "true", "whether the meshes of bodies are written as `meshes/BODY.msh` and `.inp`, which `shape.mesh` reads"),
     ]),
 ];
 

@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use stickslip_fem_core::generate::{
-    self, Extent, Generate, Growth, PlateWithHole, uniform_angles,
-};
+use stickslip_fem_core::generate::{self, Extent, Generate, Growth, PlateWithHole, uniform_angles};
 use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 

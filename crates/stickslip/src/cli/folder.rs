@@ -60,7 +60,13 @@ fn found(summary: &[u8], own: Owner) -> Option<Results> {
 }
 
 fn of_a_run(name: &str) -> bool {
-    const FILES: [&str; 4] = ["summary.json", "report.html", "steps.csv", "results.pvd"];
+    const FILES: [&str; 5] = [
+        "summary.json",
+        "report.html",
+        "scene.toml",
+        "steps.csv",
+        "results.pvd",
+    ];
     const TABLES: [&str; 8] = [
         "edge-",
         "failure-",
@@ -91,6 +97,7 @@ fn of_a_run(name: &str) -> bool {
     FILES.contains(&name)
         || is_one_of(name, "", &TABLES, &[".csv"])
         || is_one_of(name, "fields/", &[""], &[".vtu"])
+        || is_one_of(name, "meshes/", &[""], &[".msh", ".inp"])
         || is_one_of(name, "figures/", &FIGURES, &[".svg", ".png"])
 }
 

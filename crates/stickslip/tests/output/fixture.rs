@@ -36,6 +36,7 @@ pub(crate) fn results() -> Results {
         source: "plate.toml".into(),
         scene_hash: "0123abcd".into(),
         scene: "version = 1\n".into(),
+        meshes: false,
         units: units("in", "lbf", "psi"),
         choices: vec![Choice {
             what: "model".into(),
