@@ -165,11 +165,11 @@ fn pushed(sample: &Sample, body: &str, set: &str) -> Option<[f64; 2]> {
         return None;
     }
     match shape.edge(set)?.curve {
-        Curve::Circle { centre, .. } => Some(centre),
+        Curve::Circle { .. } => Some([0.0; 2]),
         Curve::Segment { ends: [from, to] } => {
             Some([(from[1] - to[1]) * thickness, (to[0] - from[0]) * thickness])
         }
-        Curve::Arc { .. } => None,
+        Curve::Arc { .. } | Curve::Chain { .. } => None,
     }
 }
 

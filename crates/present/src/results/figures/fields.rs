@@ -2,6 +2,7 @@
 //! would show little but the support at its centre, and both bodies of a line contact.
 
 use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::stress::polar;
 use stickslip_report::axis::extent;
 use stickslip_report::color::Colormap;
 use stickslip_report::field::FieldPlot;
@@ -10,7 +11,7 @@ use super::edge::all_contact;
 use super::{Group, Plan};
 use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
-use crate::results::vtk_files::{polar_stresses, von_mises_stresses};
+use crate::results::vtk_files::von_mises_stresses;
 use stickslip_engine::results::{BodyFields, EdgeKind, Results, StepResults};
 use stickslip_text::significant;
 
@@ -106,19 +107,19 @@ impl<'a> Scene<'a> {
 
     /// A value per node in the display unit, from its polar (on circles) and its Cartesian stress `[MPa]`.
     fn values(&self, value: impl Fn(Option<[f64; 3]>, [f64; 3]) -> f64) -> Vec<f64> {
-        let centre = match self.edge.geometry.kind {
-            EdgeKind::Circle { centre, .. } => Some(centre),
-            EdgeKind::Line => None,
-        };
+        let circles = self.circles();
         let mut values = Vec::with_capacity(self.nodes.len());
         for fields in shown(self.edge, self.record()) {
             let Some(mesh) = &self.edge.results().bodies[fields.body].mesh else {
                 continue;
             };
-            let polar = centre.map(|centre| polar_stresses(mesh, fields, centre));
-            values.extend(fields.stress.iter().enumerate().map(|(node, &stress)| {
-                self.edge
-                    .stress(value(polar.as_ref().map(|polar| polar[node]), stress))
+            let nodes = mesh.nodes().iter().zip(&fields.stress);
+            values.extend(nodes.map(|(at, &stress)| {
+                let turned = nearest(&circles, at).map(|[x, y]| {
+                    let angle = (at[1] - y).atan2(at[0] - x);
+                    polar(stress, angle)
+                });
+                self.edge.stress(value(turned, stress))
             }));
         }
         values
@@ -140,14 +141,17 @@ impl<'a> Scene<'a> {
     fn window(&self) -> [f64; 4] {
         let unit = self.edge.units().length;
         let (centre, reach) = match self.edge.geometry.kind {
-            EdgeKind::Circle { centre, radius } => (
-                centre.map(|x| unit.from_base(x)),
-                HOLE_WINDOW * unit.from_base(radius),
-            ),
+            EdgeKind::Circle { .. } => {
+                let (centre, reach) = self.around_circles();
+                (
+                    centre.map(|x| unit.from_base(x)),
+                    reach.map(|x| unit.from_base(x)),
+                )
+            }
             EdgeKind::Line => {
-                all_contact(self.edge).map_or(([0.0, 0.0], f64::INFINITY), |[start, end]| {
+                all_contact(self.edge).map_or(([0.0, 0.0], [f64::INFINITY; 2]), |[start, end]| {
                     let reach = LINE_WINDOW * 0.5 * (end - start);
-                    ([0.5 * (start + end), 0.0], reach)
+                    ([0.5 * (start + end), 0.0], [reach; 2])
                 })
             }
         };
@@ -159,7 +163,42 @@ impl<'a> Scene<'a> {
         around(
             extent(self.nodes.iter().copied().chain(images)),
             centre,
-            [reach; 2],
+            reach,
+        )
+    }
+
+    /// Centre and radius of every circle of the body along which contact is reported `[mm]`.
+    fn circles(&self) -> Vec<(Point, f64)> {
+        let all = EdgeView::all(self.edge.results()).into_iter();
+        let circle = |own: EdgeView<'_>| match own.geometry.kind {
+            EdgeKind::Circle { centre, radius } => Some((centre, radius)),
+            EdgeKind::Line => None,
+        };
+        let beside = all.filter(|own| {
+            let is_own = own.is_same(self.edge);
+            is_own || (own.geometry.contact && own.geometry.body == self.edge.geometry.body)
+        });
+        beside.filter_map(circle).collect()
+    }
+
+    /// Middle and half of the sizes of the window around all circles `[mm]`.
+    fn around_circles(&self) -> (Point, [f64; 2]) {
+        let circles = self.circles();
+        let ends = [0, 1].map(|axis| {
+            let least = circles
+                .iter()
+                .map(|(at, radius)| at[axis] - HOLE_WINDOW * radius);
+            let most = circles
+                .iter()
+                .map(|(at, radius)| at[axis] + HOLE_WINDOW * radius);
+            [
+                least.fold(f64::INFINITY, f64::min),
+                most.fold(f64::NEG_INFINITY, f64::max),
+            ]
+        });
+        (
+            ends.map(|[low, high]| 0.5 * (low + high)),
+            ends.map(|[low, high]| 0.5 * (high - low)),
         )
     }
 
@@ -190,6 +229,16 @@ impl<'a> Scene<'a> {
             " Shape before deformation{image}. Beyond the ends of the colour bar the colour stays."
         )
     }
+}
+
+/// The centre of the circle that is nearest to `at`.
+fn nearest(circles: &[(Point, f64)], at: &Point) -> Option<Point> {
+    let beyond =
+        |(centre, radius): &(Point, f64)| (at[0] - centre[0]).hypot(at[1] - centre[1]) - radius;
+    let nearest = circles
+        .iter()
+        .min_by(|a, b| beyond(a).total_cmp(&beyond(b)));
+    nearest.map(|(centre, _)| *centre)
 }
 
 fn von_mises(scene: &Scene<'_>) -> Attempt {
@@ -225,7 +274,10 @@ fn normal_stress(scene: &Scene<'_>) -> Attempt {
     let values = scene.values(|polar, stress| polar.map_or(stress[1], |polar| polar[0]));
     let label = format!("{symbol} [{}]", scene.edge.units().stress.name);
     let title = if scene.edge.is_circle() {
-        "Radial stress about the hole's centre"
+        match scene.circles().len() {
+            0 | 1 => "Radial stress about the hole's centre",
+            _ => "Radial stress about the centre of the nearest hole",
+        }
     } else {
         "Stress normal to the contact"
     };
