@@ -32,6 +32,7 @@ mod quantity;
 mod sharing;
 mod summary;
 mod tables;
+pub use figures::sketch::{SketchBody, sketch};
 pub use findings::{findings_json, joint_sentence, quoted, sentence};
 pub use tables::signs;
 mod vtk_files;

@@ -7,7 +7,7 @@
 //! stickslip reduce EXPERIMENT [--output DIR]     measured fields from tables, fringe lines and pictures
 //! stickslip hybrid EXPERIMENT [--output DIR]     edge stresses from measured fields, with bands and checks
 //! stickslip identify EXPERIMENT [--output DIR]   friction from edge stresses, with intervals
-//! stickslip check FILE                           check a scene and print it with all defaults, or check an experiment
+//! stickslip check FILE [--sketch PICTURE]        check a scene and print it with all defaults, or check an experiment
 //! stickslip init TEMPLATE [FILE]                 write a commented scene to start from
 //! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units, signs
 //! ```
@@ -81,7 +81,7 @@ enum Command {
     /// Find where an edge slips and its friction coefficients from measured displacements, with intervals
     Identify(experiment::ExperimentArguments),
     /// Check a scene, and print it with overrides applied and defaults filled in; or check an experiment with its data
-    Check(SceneArguments),
+    Check(check::CheckArguments),
     /// Write a commented scene to start from; never overwrites
     Init(init::InitArguments),
     /// List friction laws, loads, lay-ups, failure criteria, point models, templates, presets, elements, solvers, units, signs of results and keys

@@ -5,6 +5,7 @@ mod families;
 pub(super) mod fields;
 mod history;
 mod map;
+pub(super) mod sketch;
 
 use stickslip_contact::Status;
 use stickslip_fem_core::parallel;
@@ -38,6 +39,8 @@ pub(super) struct Drawing {
 /// Which part of the page a figure belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Group {
+    /// The scene itself.
+    Problem,
     /// A joint followed to its end.
     Joint,
     Edge,
@@ -71,7 +74,8 @@ impl<'a> Plan<'a> {
 pub(super) fn draw(results: &Results) -> Result<(Vec<Drawing>, Vec<String>), OutputError> {
     let edges = EdgeView::all(results);
     let failing = FailureView::all(results);
-    let mut plans: Vec<Plan<'_>> = edges.iter().flat_map(of_edge).collect();
+    let mut plans: Vec<Plan<'_>> = sketch::all(results);
+    plans.extend(edges.iter().flat_map(of_edge));
     plans.extend(failing.iter().flat_map(of_failure));
     plans.extend(fields::all(results));
     let drawn = parallel::map(&plans, |plan| {

@@ -31,9 +31,12 @@ pub(super) fn page(
     page.warnings.extend_from_slice(failures);
     page.summary = summary(results);
     page.notes = notes(results);
-    let (joint, mut drawings): (Vec<_>, Vec<_>) = drawings
+    let (joint, drawings): (Vec<_>, Vec<_>) = drawings
         .into_iter()
         .partition(|drawing| drawing.group == Group::Joint);
+    let (sketches, mut drawings): (Vec<_>, Vec<_>) = drawings
+        .into_iter()
+        .partition(|drawing| drawing.group == Group::Problem);
     page.sections.extend(joint_section(results, joint));
     page.sections.push(steps_section(results)?);
     page.sections.extend(failure_section(results));
@@ -60,7 +63,7 @@ pub(super) fn page(
     let modelled = (tables::ladder(results).into_iter().chain(modelled))
         .fold(Section::new("How it was modelled"), Section::with);
     let signs = Section::new("Signs and names").with(tables::signs_table());
-    page.sections.extend(problem::section(results));
+    page.sections.extend(problem::section(results, sketches));
     page.sections.extend([modelled, signs, file_section(files)]);
     page.footer = format!(
         "stickslip {} · scene {}",

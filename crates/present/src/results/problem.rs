@@ -1,13 +1,14 @@
 //! The problem as the scene states it, in the scene's own words and units: enough to check and repeat it.
 
-use stickslip_report::page::{Block, Section};
+use stickslip_report::page::{Block, Figure, Section};
 use stickslip_report::table::Table;
 use toml::Value;
 
+use super::figures::Drawing;
 use stickslip_engine::results::Results;
 
 /// The section of the page; `None` of results without a scene.
-pub(super) fn section(results: &Results) -> Option<Section> {
+pub(super) fn section(results: &Results, sketches: Vec<Drawing>) -> Option<Section> {
     let scene: toml::Table = toml::from_str(&results.scene).ok()?;
     if scene.is_empty() {
         return None;
@@ -28,7 +29,10 @@ pub(super) fn section(results: &Results) -> Option<Section> {
         listed(&scene, "loads", "Loads", "load | on", &["name", "on"]),
         whole(&scene, &["analysis", "mesh"], "Solution"),
     ];
-    let section = (tables.into_iter().flatten()).fold(Section::new("The problem"), Section::with);
+    let figure = |own: Drawing| Figure::new(own.picture, own.caption, own.name);
+    let section =
+        (sketches.into_iter().map(figure)).fold(Section::new("The problem"), Section::with);
+    let section = (tables.into_iter().flatten()).fold(section, Section::with);
     let code = Block::Code {
         title: "The scene with all defaults, as scene.toml in this folder".to_owned(),
         text: results.scene.clone(),

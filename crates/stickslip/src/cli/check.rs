@@ -1,5 +1,9 @@
 //! `stickslip check`: the scene as it will be understood and modelled.
 
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::Args;
 use serde_json::{Value, json};
 use stickslip_laminate::Curvature;
 
@@ -8,9 +12,11 @@ use super::console::Console;
 use super::experiment::{self, Kind, kind_of};
 use super::failure::{CommandError, Failure};
 use super::located::locate;
-use stickslip_engine::model::{Model, ModelBodyKind};
-use stickslip_present::results::{findings_json, sentence};
+use crate::folder::write_new;
+use stickslip_engine::model::{Model, ModelBody, ModelBodyKind};
+use stickslip_present::results::{SketchBody, findings_json, sentence, sketch};
 use stickslip_report::axis::ends;
+use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Accuracy, Body, Division, LoadKind, MeshSettings, Substance};
 use stickslip_scene::units::{Dimension, Unit};
@@ -22,9 +28,54 @@ const DEGREE: Unit = Unit {
     in_base: std::f64::consts::PI / 180.0,
 };
 
+#[derive(Debug, Args)]
+pub(super) struct CheckArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Draw the scene as it would be modelled into a new file, PICTURE.svg or PICTURE.png
+    #[arg(long, value_name = "PICTURE")]
+    sketch: Option<PathBuf>,
+}
+
+/// Draws bodies, contacts, supports and loads into a file that must not exist.
+fn draw(scene: &Scene, model: &Model, path: &Path) -> Result<(), CommandError> {
+    let refused = |cause: String| CommandError::Sketch {
+        path: path.display().to_string(),
+        cause,
+    };
+    let body = |body: &ModelBody| {
+        let mesh = body.elastic().map(|own| Arc::clone(own.mesh()));
+        (body.name.clone(), mesh)
+    };
+    let bodies: Vec<SketchBody> = model.bodies.iter().map(body).collect();
+    let picture = sketch(&bodies, scene.resolved(), scene.display);
+    let picture = picture.map_err(|cause| refused(cause.to_string()))?;
+    let picture = picture.ok_or_else(|| refused("no body of the scene has a mesh".to_owned()))?;
+    let extension = path
+        .extension()
+        .map(|own| own.to_string_lossy().to_lowercase());
+    let bytes = match extension.as_deref() {
+        Some("svg") => picture.as_str().as_bytes().to_vec(),
+        Some("png") => {
+            to_png(&picture, DEFAULT_SCALE).map_err(|cause| refused(cause.to_string()))?
+        }
+        _ => {
+            return Err(refused(
+                "its name ends neither in .svg nor in .png".to_owned(),
+            ));
+        }
+    };
+    write_new(path, &bytes).map_err(|cause| refused(cause.to_string()))
+}
+
 /// Prints the resolved scene, or what an experiment says. The summary of a scene stands in comments, so that the output is a scene again.
-pub(super) fn check(arguments: &SceneArguments, console: Console) -> Result<(), Failure> {
+pub(super) fn check(given: &CheckArguments, console: Console) -> Result<(), Failure> {
+    let arguments = &given.scene;
     match kind_of(&arguments.scene) {
+        Some(Kind::Experiment) if given.sketch.is_some() => {
+            let path = arguments.scene.display().to_string();
+            return Err(CommandError::ExperimentGiven { path }.into());
+        }
         Some(Kind::Experiment) => {
             return experiment::check(&arguments.scene, &arguments.overrides, console);
         }
@@ -36,6 +87,9 @@ pub(super) fn check(arguments: &SceneArguments, console: Console) -> Result<(), 
     }
     let scene = arguments.read()?;
     let model = Model::build(&scene).map_err(|error| locate(&scene, &error))?;
+    if let Some(path) = &given.sketch {
+        draw(&scene, &model, path)?;
+    }
     let outline = outline(&scene, &model);
     let text = || {
         let comment = |(name, text): &(&str, String)| format!("# {name:8} {text}");

@@ -40,6 +40,13 @@ pub(super) enum CommandError {
         help("check that its folder exists and can be written to")
     )]
     Write { path: String, cause: String },
+    /// A sketch cannot be drawn or written.
+    #[error("the sketch '{path}' was not written: {cause}")]
+    #[diagnostic(
+        code(check::sketch),
+        help("name a new file, such as --sketch scene.svg; files that exist are not replaced")
+    )]
+    Sketch { path: String, cause: String },
     /// Results would replace what they are made from.
     #[error(
         "the folder '{folder}' holds '{file}', which the experiment reads: results cannot be written over it"

@@ -77,7 +77,8 @@ fn of_a_run(name: &str) -> bool {
         "load-displacement-",
         "damage-",
     ];
-    const FIGURES: [&str; 15] = [
+    const FIGURES: [&str; 16] = [
+        "sketch.",
         "stresses-",
         "pressure-",
         "shear-",
