@@ -39,6 +39,7 @@ const LONGEST_NAME: usize = 64;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fits {
     Edges,
+    EdgesAndAreas,
     EdgesAndPoints,
 }
 
@@ -256,6 +257,7 @@ impl Builder<'_> {
         };
         let (points, areas) = match fits {
             Fits::Edges => (Vec::new(), &[][..]),
+            Fits::EdgesAndAreas => (Vec::new(), body.shape.areas()),
             Fits::EdgesAndPoints => (body.shape.points(), body.shape.areas()),
         };
         let edges = body.shape.edges().into_iter().map(|edge| edge.name);
@@ -271,10 +273,10 @@ impl Builder<'_> {
         let problem = SceneProblem::MissingSet {
             body: name.to_owned(),
             shape: body.shape.name(),
-            what: if fits == Fits::Edges {
-                "edge"
-            } else {
-                "edge, point or area"
+            what: match fits {
+                Fits::Edges => "edge",
+                Fits::EdgesAndAreas => "edge or area",
+                Fits::EdgesAndPoints => "edge, point or area",
             },
             set: set.to_owned(),
             nearest: nearest(set, sets.iter().map(|known| &**known))

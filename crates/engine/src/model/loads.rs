@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use stickslip_contact::{LoadHistory, Ramp};
-use stickslip_fem_core::load::edge_load;
+use stickslip_fem_core::load::{area_load, edge_load};
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::{EdgeSet, Mesh, MeshError, Point};
 use stickslip_fem_core::{
@@ -101,7 +101,7 @@ impl Loaded<'_> {
     fn supports(&self) -> Result<Vec<Support>, MeshError> {
         let mut supports = Vec::new();
         for support in self.plan.supports_of(self.index) {
-            if self.holds_area(support) {
+            if self.is_area(&support.on) {
                 continue;
             }
             let nodes = self.mesh.node_set(&support.on.set)?;
@@ -128,10 +128,9 @@ impl Loaded<'_> {
         Ok(supports)
     }
 
-    /// Whether a support holds the mean displacement of the body's area.
-    fn holds_area(&self, support: &schema::Support) -> bool {
-        let shape = self.plan.bodies[self.index].shape;
-        shape.is_area(&support.on.set)
+    /// Whether a set is the body's area.
+    fn is_area(&self, on: &SetRef) -> bool {
+        self.plan.bodies[self.index].shape.is_area(&on.set)
     }
 
     /// What holds the mean displacement of the body's area; across the line of symmetry of a half nothing has to.
@@ -141,7 +140,7 @@ impl Loaded<'_> {
             held: [false; 2],
             displacement: [0.0; 2],
         };
-        for support in supports.filter(|support| self.holds_area(support)) {
+        for support in supports.filter(|support| self.is_area(&support.on)) {
             let Hold::Axes(axes) = support.hold else {
                 continue;
             };
@@ -191,6 +190,7 @@ impl Loaded<'_> {
     fn forces(&self, load: &Placed<'_, Load>, kind: &LoadKind) -> Result<Vec<f64>, MeshError> {
         let edge = |on: &SetRef| self.mesh.edge_set(&on.set);
         Ok(match kind {
+            LoadKind::Force { on, direction, .. } if self.is_area(on) => self.spread(*direction),
             LoadKind::Force { on, direction, .. } => {
                 self.force(edge(on)?, *direction, load.circle().is_some())
             }
@@ -207,6 +207,16 @@ impl Loaded<'_> {
             }
             LoadKind::Temperature { .. } => Vec::new(),
         })
+    }
+
+    /// A unit force along `direction`, spread evenly over the body's area.
+    fn spread(&self, direction: [f64; 2]) -> Vec<f64> {
+        let areas = area_load(self.mesh);
+        let whole = areas.iter().sum::<f64>() * if self.half { 2.0 } else { 1.0 };
+        let forces = areas.iter();
+        forces
+            .flat_map(|area| direction.map(|component| component * area / whole))
+            .collect()
     }
 
     /// A unit force along `direction`, spread evenly.

@@ -409,10 +409,19 @@ impl Given<'_> {
         }
         let mut loads = Vec::new();
         for load in &self.plan.loads {
+            let mut own = DiskLoad::default();
             if load.body == self.index {
-                return Err(format!("has the load '{}' on its rim", load.of.name));
+                match &load.of.kind {
+                    LoadKind::Force { on, direction, .. } if shape.is_area(&on.set) => {
+                        if *anchor.get_or_insert(Anchor::Area) != Anchor::Area {
+                            return Err("is held at its centre and loaded over its section".into());
+                        }
+                        own.force = *direction;
+                    }
+                    _ => return Err(format!("has the load '{}' on its rim", load.of.name)),
+                }
             }
-            loads.push(DiskLoad::default());
+            loads.push(own);
         }
         loads.push(DiskLoad {
             displacement,

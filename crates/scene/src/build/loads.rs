@@ -85,7 +85,11 @@ impl Builder<'_> {
                 steps: values(steps),
             });
         }
-        let on = self.set(&child(key, "on"), on, Fits::Edges)?;
+        let fits = match force {
+            Some(_) => Fits::EdgesAndAreas,
+            None => Fits::Edges,
+        };
+        let on = self.set(&child(key, "on"), on, fits)?;
         if let Some(force) = force {
             return self.force(key, on, force);
         }

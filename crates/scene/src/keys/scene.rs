@@ -86,7 +86,7 @@ pub(super) const TABLES: &[Table] = &[
             "the friction law by name, with its parameters; those of other crates too"),
     ]),
     Table::new("supports", &[
-        set("on", REQUIRED, r#""plate.left""#, "edge or point"),
+        set("on", REQUIRED, r#""plate.left""#, "edge, point, or area, whose mean displacement is held by a reaction that is spread evenly over it"),
         words("fix", r#"list of `"x"`, `"y"`"#, "required, or `normal`", r#"["x"]"#,
             "axes along which the nodes are held").range(filled(r#"["x"], ["y"] or ["x", "y"]"#)),
         angle("normal", NONE, r#""30 deg""#, "one direction, from +x, along which the nodes are held; across it they slide"),

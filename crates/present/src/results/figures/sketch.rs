@@ -191,8 +191,9 @@ impl Sketch<'_> {
     /// An arrow for each force and pressure.
     fn loads(&self, length: f64) -> Vec<Vec<Point>> {
         let of_load = |load: &Value| {
-            let (places, is_edge) = self.places(load.get("on")?.as_str()?)?;
-            let at = *along(&places, 3).get(1)?;
+            let on = load.get("on")?.as_str()?;
+            let (places, is_edge) = self.places(on).unwrap_or_default();
+            let at = (along(&places, 3).get(1).copied()).or_else(|| self.middle(on))?;
             let kinds = ["force", "bearing"];
             let given = kinds
                 .iter()
