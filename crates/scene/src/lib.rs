@@ -34,6 +34,7 @@
 mod build;
 pub mod declaration;
 pub mod diagnostic;
+pub mod digest;
 pub mod document;
 mod dotted;
 mod examples;

@@ -1,12 +1,10 @@
 //! Opens documents: the text of a file, its overrides, and what its keys say.
 
-use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
-use sha2::{Digest as _, Sha256};
 
 use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 use crate::document::{Document, Format, Part};
@@ -89,14 +87,4 @@ pub fn keys<T: DeserializeOwned>(document: &Document) -> Result<T, SceneError> {
 pub fn stem(name: &str) -> String {
     let stem = Path::new(name).file_stem();
     stem.unwrap_or_default().to_string_lossy().into_owned()
-}
-
-/// Computes the SHA-256 of `bytes`, in hexadecimal digits.
-pub fn sha256(bytes: impl AsRef<[u8]>) -> String {
-    let digest = Sha256::digest(bytes);
-    digest.iter().fold(String::new(), |mut text, byte| {
-        // Writing into a string does not fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 
 use crate::diagnostic::{SceneError, SceneProblem};
+use crate::digest::sha256;
 use crate::document::{Document, Part};
 use crate::format::SceneFormat;
-use crate::open::sha256;
 use crate::schema::{Body, Load, LoadKind};
 use crate::units::{Dimension, Expected, parse};
 

@@ -143,7 +143,7 @@ pub enum LaminateProblem {
     },
     /// Characteristic distances without a hole.
     #[error(
-        "characteristic distances are measured from the hole of a body, and '{body}' does not have exactly one"
+        "characteristic distances are measured from a single hole, which body '{body}' does not have"
     )]
     #[diagnostic(
         code(scene::characteristic),

@@ -14,8 +14,8 @@ use stickslip_mesh_files::{Coincident, Format, Imported, read_with, recognise_se
 
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, NONE, REQUIRED, text, words};
+use crate::digest::sha256;
 use crate::document::child;
-use crate::open::sha256;
 use crate::units::{Length, UnitName};
 
 const NAME: &str = "mesh";

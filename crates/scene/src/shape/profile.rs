@@ -20,9 +20,7 @@ use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
 
 use super::hole::MESH_KEYS;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
-use crate::declaration::{
-    Key, NONE, POSITIVE, REQUIRED, Table, length, lists, tables_of, text, words,
-};
+use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, Table, length, tables_of, text, words};
 use crate::document::child;
 use crate::units::{Length, Quantity};
 
@@ -33,7 +31,8 @@ pub(super) const MEANING: &str = "lines and arcs around a body, with circular ho
 #[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
     words("start", "two lengths", REQUIRED, r#"["-60 mm", "-20 mm"]"#, "where the first edge begins"),
-    lists("edges", REQUIRED, "the edges, counter-clockwise, each from the end of the one before"),
+    words("edges", "list of tables", REQUIRED, r#"[{ name = "bottom", to = ["40 mm", "-20 mm"] }, { name = "end", to = ["40 mm", "20 mm"], through = ["60 mm", "0 mm"] }, { name = "top", to = ["-60 mm", "20 mm"] }, { name = "left" }]"#,
+        "the [edges](#bodiesnameshapeoutlineedges), counter-clockwise, each from the end of the one before"),
     tables_of("holes", NONE, "circular holes by name"),
 ];
 

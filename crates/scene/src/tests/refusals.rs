@@ -197,7 +197,10 @@ fn supports_and_loads() {
     assert!(help.contains("[[supports]]"), "{help}");
     assert_eq!(line, 12);
     let (message, help, line, _) = refused("on = \"plate.left\"", "on = \"plate.far\"");
-    assert_eq!(message, "'plate' (plate_with_hole) has no edge 'far'");
+    assert_eq!(
+        message,
+        "'plate' (plate_with_hole) has no edge or area 'far'"
+    );
     assert!(help.contains("plate.left, plate.right"), "{help}");
     assert_eq!(line, 26);
     let (message, help, ..) = refused("on = \"plate.left\"", "on = \"plat.left\"");

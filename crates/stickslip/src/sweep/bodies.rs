@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_scene::Scene;
-use stickslip_scene::open::sha256;
+use stickslip_scene::digest::sha256;
 use stickslip_scene::schema::{Analysis, Body, Contact, LoadKind, Material, Substance};
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.

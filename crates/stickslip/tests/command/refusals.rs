@@ -177,7 +177,7 @@ fn contacts_supports_and_loads() {
         "on = \"pin.top\"",
         &[
             "bad.toml:24:6",
-            "'pin' (disk) has no edge or point 'top'",
+            "'pin' (disk) has no edge, point or area 'top'",
             "pin.rim, pin.centre",
         ],
     );

@@ -105,7 +105,8 @@ fn each_of_three_joints_is_as_it_is_alone() {
         let drawn = figures(&alone);
         assert!(drawn.len() > 8, "{}", drawn.len());
         let together = figures(&all);
-        for picture in &drawn {
+        // The sketch shows all bodies.
+        for picture in drawn.iter().filter(|own| !own.0.starts_with("sketch")) {
             assert!(together.contains(picture), "{}", picture.0);
         }
         let own_page = read(&alone, "report.html");

@@ -252,6 +252,8 @@ fn one_step_of_an_open_hole_gives_its_hoop_stress_alone() {
     assert_eq!(
         figures,
         BTreeSet::from([
+            "sketch.png".to_owned(),
+            "sketch.svg".to_owned(),
             "stresses-plate.hole.png".to_owned(),
             "stresses-plate.hole.svg".to_owned()
         ])

@@ -9,6 +9,7 @@ use stickslip_hybrid::moire::Grating;
 use super::refuse::{Refuse, gradient};
 use super::{Experiment, VERSION, laws, ranges, settings, specimen, states, unused};
 use crate::diagnostic::{SceneError, SceneProblem, SourceText};
+use crate::digest::sha256;
 use crate::experiment::format::{
     ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, SeriesFormat,
 };
@@ -93,7 +94,7 @@ fn experiment(
         display,
         identify: settings::identify(refuse, &read.identify, &states)?,
         laws: laws::read(refuse, &read.laws, &specimen)?,
-        hash: open::sha256(format!("{}\n{}", document.root, scene.unwrap_or_default())),
+        hash: sha256(format!("{}\n{}", document.root, scene.unwrap_or_default())),
         without_effect: unused::without_effect(
             &document,
             &reduce,

@@ -12,6 +12,7 @@ use crate::sweep::format::{AxisFormat, MapFormat, SweepFormat};
 use stickslip_engine::LoadScale;
 use stickslip_engine::model::LoadTable;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText};
+use stickslip_scene::digest::sha256;
 use stickslip_scene::document::{Document, Part};
 use stickslip_scene::host::Host;
 use stickslip_scene::limits::Content;
@@ -367,7 +368,7 @@ fn hash(scene: &str, axes: &[Axis], contact: usize, criterion: Option<&str>) -> 
         format!("{}\n{values}\n", axis.key.name())
     };
     let axes: Vec<String> = axes.iter().map(axis).collect();
-    open::sha256(format!(
+    sha256(format!(
         "{scene}\n{contact}\n{criterion:?}\n{}",
         axes.concat()
     ))
