@@ -170,6 +170,21 @@ impl Profile {
     }
 }
 
+/// The same body somewhere else.
+fn moved(contour: &Contour, by: Point) -> Contour {
+    let shifted = |at: Point| [at[0] + by[0], at[1] + by[1]];
+    let mut own = contour.clone();
+    own.start = shifted(own.start);
+    for piece in &mut own.pieces {
+        piece.to = shifted(piece.to);
+        piece.through = piece.through.map(shifted);
+    }
+    for hole in &mut own.holes {
+        hole.centre = shifted(hole.centre);
+    }
+    own
+}
+
 /// What to do about a defect; its coordinates are in mm.
 fn remedy(defect: &ContourError) -> &'static str {
     match defect {
@@ -253,7 +268,9 @@ impl Outline for Profile {
         let kind = self.cells(divided.kind).ok_or(DivisionError::NoCells {
             kind: divided.kind.name(),
         })?;
-        let mut contour = self.contour.clone();
+        // About its start, so that triangles do not hang on where the body stands.
+        let start = self.contour.start;
+        let mut contour = moved(&self.contour, start.map(|x| -x));
         for hole in &mut contour.holes {
             hole.angles = divided.angles.to_vec();
             hole.layers = divided.layers;
@@ -261,7 +278,7 @@ impl Outline for Profile {
         let division = stickslip_mesher::Division {
             kind,
             spacing: divided.spacing,
-            centre: divided.centre,
+            centre: [0, 1].map(|axis| divided.centre[axis] + start[axis]),
             ..stickslip_mesher::Division::default()
         };
         Ok(Meshing {

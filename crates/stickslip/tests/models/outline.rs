@@ -1,0 +1,283 @@
+//! Outlines and meshes of files: beside the shapes that say the same, beside series, beside themselves mirrored and moved, and what they
+//! refuse.
+
+use std::fs;
+use std::path::Path;
+
+use stickslip::host::HOST;
+use stickslip::results::{Finding, Results};
+use stickslip::run::run;
+use stickslip::scene::{Format, Scene};
+use tempfile::TempDir;
+
+use super::solved;
+
+const FIVE: &str = include_str!("../../../../scenes/fasteners-five.toml");
+const LUG: &str = include_str!("../../../../scenes/lug-oblique.toml");
+const ECCENTRIC: &str = include_str!("../../../../scenes/eccentric-hole.toml");
+
+const STRIP: &str = r#"plate_with_hole = { hole_radius = "5 mm", outline.strip = { half_width = "20 mm", left = "60 mm", right = "15 mm" } }"#;
+
+/// The edges of that strip, moved by `x` and `y` and perhaps mirrored at y = 0.
+fn outline([x, y]: [f64; 2]) -> String {
+    let at = |a: f64, b: f64| format!(r#"["{} mm", "{} mm"]"#, a + x, b + y);
+    format!(
+        r#"outline = {{ start = {}, edges = [{{ name = "bottom", to = {} }}, {{ name = "right", to = {} }}, {{ name = "top", to = {} }}, {{ name = "left" }}], holes.hole = {{ centre = {}, radius = "5 mm" }} }}"#,
+        at(-60.0, -20.0),
+        at(15.0, -20.0),
+        at(15.0, 20.0),
+        at(-60.0, 20.0),
+        at(0.0, 0.0),
+    )
+}
+
+fn pinned(shape: &str) -> String {
+    format!(
+        r#"
+version = 1
+analysis.model = "whole"
+materials.aluminium.isotropic = {{ young = "72 GPa", poisson = 0.33 }}
+[bodies.plate]
+material = "aluminium"
+thickness = "2 mm"
+shape.{shape}
+[bodies.pin]
+material = "aluminium"
+thickness = "2 mm"
+shape.disk.radius = "4.99 mm"
+[mesh]
+spacing = "3 deg"
+[[contacts]]
+first = "plate.hole"
+second = "pin.rim"
+friction.coulomb.mu = 0.3
+[[supports]]
+on = "pin.section"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.left"
+force = {{ direction = [-1, 0], steps = ["2 kN", "4 kN", "1 kN"] }}
+"#
+    )
+}
+
+/// The difference of two numbers, as a part of the larger.
+fn apart(one: f64, other: f64) -> f64 {
+    (one - other).abs() / one.abs().max(other.abs())
+}
+
+/// Peak pressure and half of the extent of contact `[MPa, rad]` in each step.
+fn pressed(results: &Results) -> Vec<[f64; 2]> {
+    let steps = results.steps.iter().map(|step| {
+        let edge = &step.edges[0];
+        [
+            edge.peak_pressure.unwrap().0,
+            edge.contact_half_extent.unwrap(),
+        ]
+    });
+    steps.collect()
+}
+
+/// Forces of the contacts `[N]` in a step.
+fn forces(results: &Results, step: usize) -> Vec<[f64; 2]> {
+    let edges = results.steps[step].edges.iter();
+    edges.map(|edge| edge.resultant).collect()
+}
+
+#[test]
+fn an_outline_is_the_strip_that_it_draws() {
+    let spacing = [r#"mesh.spacing="2 deg""#];
+    let strip = pressed(&solved(&pinned(STRIP), &spacing));
+    let same = pressed(&solved(&pinned(&outline([0.0, 0.0])), &spacing));
+    for (own, other) in same.iter().zip(&strip) {
+        assert!((own[0] / other[0] - 1.0).abs() < 1e-3, "{own:?} {other:?}");
+        assert!((own[1] - other[1]).abs() < 0.2_f64.to_radians());
+    }
+}
+
+#[test]
+fn where_a_scene_stands_changes_nothing() {
+    let here = solved(&pinned(&outline([0.0, 0.0])), &[""; 0]);
+    let there = solved(&pinned(&outline([37.5, -112.0])), &[""; 0]);
+    for (own, other) in pressed(&here).iter().zip(pressed(&there)) {
+        assert!(apart(own[0], other[0]) < 1e-9, "{own:?} {other:?}");
+    }
+}
+
+/// Two kinds of operator with nothing in common but the law of contact.
+#[test]
+fn a_series_about_an_eccentric_hole_agrees_with_elements() {
+    let gaps = r#"analysis.kinematics="small""#;
+    let series = solved(ECCENTRIC, &[gaps]);
+    let accuracy = r#"analysis.accuracy={ peak_pressure = "2 %" }"#;
+    let cells = solved(ECCENTRIC, &[gaps, accuracy, r#"mesh.spacing="1.5 deg""#]);
+    for (step, (own, other)) in pressed(&series).iter().zip(pressed(&cells)).enumerate() {
+        let error = |results: &Results| {
+            let edge = &results.steps[step].edges[0];
+            edge.errors
+                .get(stickslip::results::Stated::PeakPressure)
+                .unwrap()
+        };
+        let both = error(&series) + error(&cells);
+        assert!(
+            (own[0] - other[0]).abs() < both,
+            "{own:?} {other:?} ± {both}"
+        );
+        assert!(both < 0.02 * own[0]);
+    }
+}
+
+#[test]
+fn shares_of_a_load_hang_neither_on_the_mesh_nor_on_the_kind_of_operator() {
+    let coarse = solved(FIVE, &[r#"mesh.spacing="6 deg""#]);
+    let fine = solved(FIVE, &[r#"mesh.spacing="3 deg""#]);
+    let models: Vec<String> = (1..=5)
+        .map(|k| format!("bodies.bolt-{k}.model=\"series\""))
+        .collect();
+    let models: Vec<&str> = models
+        .iter()
+        .map(String::as_str)
+        .chain([r#"mesh.spacing="6 deg""#])
+        .collect();
+    let series = solved(FIVE, &models);
+    for (step, load) in [2e3, 6e3, 12e3, 3e3].into_iter().enumerate() {
+        let own = forces(&fine, step);
+        let sum: f64 = own.iter().map(|force| force[0]).sum();
+        assert!((sum / load - 1.0).abs() < 1e-9, "{sum} {load}");
+        for other in [forces(&coarse, step), forces(&series, step)] {
+            for (a, b) in own.iter().zip(&other) {
+                assert!((a[0] - b[0]).abs() < 1e-3 * load, "{a:?} {b:?}");
+            }
+        }
+    }
+    let held_at_points = |results: &Results| {
+        let mut findings = results.findings.iter();
+        findings.any(|finding| matches!(finding, Finding::PointSupports { .. }))
+    };
+    assert!(!held_at_points(&fine));
+    let at_points = FIVE.replace(".section\"", ".centre\"");
+    assert!(held_at_points(&solved(
+        &at_points,
+        &[r#"mesh.spacing="6 deg""#]
+    )));
+}
+
+#[test]
+fn a_mirrored_pull_gives_mirrored_numbers() {
+    let force = |y: f64| format!("loads.0.force.direction=[1, {y}]");
+    let coarse = r#"mesh.spacing="3 deg""#;
+    let [up, down] = [1.0, -1.0].map(|y| solved(LUG, &[coarse, &force(y)]));
+    // Triangles of a symmetric outline are not symmetric, which shows where pressure has turned points while unloading.
+    let both = pressed(&up).into_iter().zip(pressed(&down));
+    for ((own, other), bound) in both.zip([2e-3, 2e-3, 1e-2]) {
+        assert!(apart(own[0], other[0]) < bound, "{own:?} {other:?}");
+    }
+    for step in 0..3 {
+        let ([a], [b]) = (&forces(&up, step)[..], &forces(&down, step)[..]) else {
+            panic!("one contact");
+        };
+        assert!(apart(a[0], b[0]) < 1e-9 && apart(a[1], -b[1]) < 1e-9);
+    }
+}
+
+/// Meshes of a run read back, in another unit, as `.msh`, as `.inp`, and as one of two bodies of one file.
+#[test]
+fn a_mesh_that_was_written_gives_the_same_numbers() {
+    let strip = solved(&pinned(STRIP), &[""; 0]);
+    let folder = TempDir::new().unwrap();
+    let mesh = strip
+        .bodies
+        .iter()
+        .find(|body| body.name == "plate")
+        .unwrap();
+    let mesh = mesh.mesh.as_deref().unwrap();
+    let state = stickslip_fem_core::material::PlaneState::Stress;
+    let msh = stickslip_mesh_files::write_msh(mesh).unwrap();
+    let inp = stickslip_mesh_files::write_inp(mesh, state).unwrap();
+    for (name, text) in [("plate.msh", msh), ("plate.inp", inp)] {
+        fs::write(folder.path().join(name), text).unwrap();
+        let text = pinned(&format!(r#"mesh = {{ file = "{name}", unit = "mm" }}"#));
+        let found = run(&read(&text, folder.path()).unwrap(), &mut |_| {}).unwrap();
+        for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
+            assert!(apart(own[0], other[0]) < 1e-6, "{name}: {own:?} {other:?}");
+        }
+    }
+}
+
+fn read(text: &str, folder: &Path) -> Result<Scene, String> {
+    let none: [&str; 0] = [];
+    let scene = Scene::from_text_on(text, Format::Toml, "own.toml", folder, &none, HOST);
+    scene.map_err(|error| error.to_string())
+}
+
+#[test]
+fn what_bounds_no_body_is_refused() {
+    let good = outline([0.0, 0.0]);
+    let folder = TempDir::new().unwrap();
+    for (from, to, part) in [
+        (
+            r#"to = ["15 mm", "20 mm"]"#,
+            r#"to = ["-70 mm", "0 mm"]"#,
+            "meet near",
+        ),
+        (
+            r#"{ name = "left" }"#,
+            r#"{ name = "left", to = ["-60 mm", "-19 mm"] }"#,
+            "is open",
+        ),
+        (
+            r#"name = "right", to"#,
+            r#"name = "hole", to"#,
+            "two edges are called 'hole'",
+        ),
+        (
+            r#"name = "right", to"#,
+            r#"name = "right", through = ["15 mm", "0 mm"], to"#,
+            "lie on a line",
+        ),
+        (
+            r#"{ name = "bottom", to = ["15 mm", "-20 mm"] }"#,
+            r#"{ name = "bottom" }"#,
+            "has no end",
+        ),
+        (
+            r#"centre = ["0 mm", "0 mm"]"#,
+            r#"centre = ["12 mm", "0 mm"]"#,
+            "crosses piece",
+        ),
+        (
+            r#"centre = ["0 mm", "0 mm"]"#,
+            r#"centre = ["99 mm", "0 mm"]"#,
+            "lies outside",
+        ),
+    ] {
+        assert!(good.contains(from), "{from}");
+        let refused = read(&pinned(&good.replacen(from, to, 1)), folder.path());
+        let message = refused.err().unwrap_or_default();
+        assert!(message.contains(part), "{to}: {message}");
+    }
+}
+
+#[test]
+fn meshes_that_are_none_are_refused() {
+    let folder = TempDir::new().unwrap();
+    fs::write(
+        folder.path().join("solid.inp"),
+        "*NODE\n1,0,0,0\n*ELEMENT, TYPE=C3D8\n1,1,1,1,1,1,1,1,1\n",
+    )
+    .unwrap();
+    for (shape, part) in [
+        (r#"mesh = { file = "none.msh", unit = "mm" }"#, "none.msh"),
+        (
+            r#"mesh = { file = "solid.stl", unit = "mm" }"#,
+            "neither in .msh nor in .inp",
+        ),
+        (r#"mesh = { file = "solid.inp", unit = "mm" }"#, "C3D8"),
+        (r#"mesh = { file = "solid.inp" }"#, "unit"),
+    ] {
+        let message = read(&pinned(shape), folder.path())
+            .err()
+            .unwrap_or_default();
+        assert!(message.contains(part), "{shape}: {message}");
+    }
+}
