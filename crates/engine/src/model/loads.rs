@@ -18,6 +18,7 @@ use super::resultant::{centre_of, matched};
 use super::{Meshes, ModelBodyKind, ModelEdge, ModelError};
 use crate::results::{BearingSource, ContactFrame};
 use stickslip_scene::schema::{self, Hold, Load, LoadKind, SetRef};
+use stickslip_scene::shape::Edge;
 
 /// Multipliers of all load cases per step: one case per load, and one that holds the displacements of supports.
 pub(super) fn history(plan: &Plan<'_>) -> Result<LoadHistory, ModelError> {
@@ -284,11 +285,7 @@ pub(super) fn frame(plan: &Plan<'_>, on: &SetRef, half: bool) -> ContactFrame {
 
 /// −1 where the normal of results on the edge points into the body, otherwise 1.
 fn sign<T>(on: &Placed<'_, T>) -> f64 {
-    if on
-        .edge
-        .as_ref()
-        .is_some_and(|edge| edge.has_inward_normal())
-    {
+    if on.edge.as_ref().is_some_and(Edge::has_inward_normal) {
         -1.0
     } else {
         1.0

@@ -33,7 +33,7 @@ pub(super) fn hash(
         }
     }
     for body in bodies.values() {
-        bytes.extend(body.shape.digest().as_bytes());
+        bytes.extend(body.shape.digest().unwrap_or_default().as_bytes());
     }
     sha256(bytes)
 }

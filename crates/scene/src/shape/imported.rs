@@ -3,8 +3,9 @@
 //! Its sets name its edges and points. An edge whose nodes lie on a line or a circle is that line or circle.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::fmt;
-use std::path::Path;
+use std::path::{Component, Path};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -43,95 +44,80 @@ pub(super) const EXAMPLE: &str = r#"mesh = { file = "ring.inp", unit = "mm" }"#;
 
 impl Keys {
     pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> GivenMesh {
-        let made = self.given(sizes).unwrap_or_else(|[key, cause, remedy]| {
-            sizes.bad_file(&child(table, key), &self.file, cause, remedy);
-            None
-        });
-        made.unwrap_or_else(|| GivenMesh {
+        let refused = match self.given(sizes) {
+            Ok(made) => return made,
+            Err(refused) => refused,
+        };
+        let [key, cause, remedy] = refused;
+        sizes.bad_file(&child(table, key), &self.file, cause, remedy);
+        GivenMesh {
             file: self.file.clone(),
             digest: String::new(),
             mesh: None,
             edges: Vec::new(),
             points: Vec::new(),
             notes: Vec::new(),
-        })
+        }
     }
 
-    /// The mesh; `None` where the file has been refused already, otherwise key, cause and remedy.
-    fn given(&self, sizes: &mut dyn Sizes) -> Result<Option<GivenMesh>, [String; 3]> {
-        let refused = |key: &str, cause: String, remedy: &str| {
-            Err([key.to_owned(), cause, remedy.to_owned()])
-        };
-        let Some(format) = Format::of_name(&self.file) else {
+    /// The mesh, otherwise key, cause and remedy.
+    fn given(&self, sizes: &dyn Sizes) -> Result<GivenMesh, [String; 3]> {
+        const MEND: &str = "correct the mesh in the program that made it, and export it again";
+        let refused =
+            |key: &str, cause: String, remedy: &str| [key.to_owned(), cause, remedy.to_owned()];
+        let format = Format::of_name(&self.file).ok_or_else(|| {
             let cause = "its name ends neither in .msh nor in .inp".to_owned();
-            return refused(
+            let remedy =
+                "export the mesh from Gmsh as .msh (text) or from Abaqus or CalculiX as .inp";
+            refused("file", cause, remedy)
+        })?;
+        let content = sizes.file(Path::new(&self.file)).map_err(|cause| {
+            refused(
                 "file",
                 cause,
-                "export the mesh from Gmsh as .msh (text) or from Abaqus or CalculiX as .inp",
-            );
-        };
-        let content = match sizes.file(Path::new(&self.file)) {
-            Ok(content) => content,
-            Err(cause) => {
-                return refused(
-                    "file",
-                    cause,
-                    "the path is relative to the folder of the scene",
-                );
-            }
-        };
-        let folder = Path::new(&self.file).parent().unwrap_or(Path::new(""));
+                "the path is relative to the folder of the scene",
+            )
+        })?;
+        // Files that it includes count in the checksum as well.
+        let whole = RefCell::new(content.clone());
         let include = |name: &str| {
-            let inside = Path::new(name).components();
-            let stays = inside
-                .into_iter()
-                .all(|part| matches!(part, std::path::Component::Normal(_)));
-            if stays {
-                sizes.file(&folder.join(name))
-            } else {
-                Err("it leaves the folder of the mesh".to_owned())
-            }
+            let text = self.included(name, sizes)?;
+            whole.borrow_mut().push_str(&text);
+            Ok(text)
         };
+        // Bodies that touch in one file have nodes at the same places.
         let coincident = match self.elements {
             Some(_) => Coincident::Allow,
             None => Coincident::Refuse,
         };
-        let read = read_with(&content, format, &include, coincident);
-        let all = match read {
-            Ok(all) => all,
-            Err(cause) => {
-                return refused(
-                    "file",
-                    cause.to_string(),
-                    "correct the mesh in the program that made it, and export it again",
-                );
-            }
-        };
+        let all = read_with(&content, format, &include, coincident);
+        let all = all.map_err(|cause| refused("file", cause.to_string(), MEND))?;
         let own = match &self.elements {
             None => all,
-            Some(set) => match all.only(set) {
-                Some(own) => own,
-                None => {
-                    let known: Vec<&str> =
-                        all.parts.element_sets.keys().map(String::as_str).collect();
-                    let cause = format!("it has no element set '{set}'");
-                    return refused(
-                        "elements",
-                        cause,
-                        &format!("sets of the file: {}", known.join(", ")),
-                    );
-                }
-            },
+            Some(set) => all.only(set).ok_or_else(|| {
+                let known = all.parts.element_sets.keys().map(String::as_str);
+                let known: Vec<&str> = known.collect();
+                let remedy = format!("sets of the file: {}", known.join(", "));
+                refused(
+                    "elements",
+                    format!("it has no element set '{set}'"),
+                    &remedy,
+                )
+            })?,
         };
         let scale = self.unit.unit().in_base;
-        match GivenMesh::new(&self.file, sha256(content.as_bytes()), own, scale) {
-            Ok(made) => Ok(Some(made)),
-            Err(cause) => refused(
-                "file",
-                cause,
-                "correct the mesh in the program that made it, and export it again",
-            ),
+        let made = GivenMesh::new(&self.file, sha256(whole.into_inner()), own, scale);
+        made.map_err(|cause| refused("file", cause, MEND))
+    }
+
+    /// The text of a file that the mesh includes, which must not leave its folder.
+    fn included(&self, name: &str, sizes: &dyn Sizes) -> Result<String, String> {
+        let mut parts = Path::new(name).components();
+        if !parts.all(|part| matches!(part, Component::Normal(_))) {
+            return Err("it leaves the folder of the mesh".to_owned());
         }
+        let folder = Path::new(&self.file).parent();
+        sizes.file(&folder.unwrap_or(Path::new("")).join(name))
     }
 }
 
@@ -307,8 +293,8 @@ impl Outline for GivenMesh {
         &[]
     }
 
-    fn digest(&self) -> &str {
-        &self.digest
+    fn digest(&self) -> Option<&str> {
+        Some(&self.digest)
     }
 
     fn notes(&self) -> &[String] {

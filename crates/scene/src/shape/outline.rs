@@ -46,8 +46,8 @@ pub trait Outline: fmt::Debug {
     }
 
     /// What of it stands in no key of the scene but in a file, as a checksum.
-    fn digest(&self) -> &str {
-        ""
+    fn digest(&self) -> Option<&str> {
+        None
     }
 
     /// What a reader must know of its file.

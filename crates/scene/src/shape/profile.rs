@@ -138,8 +138,8 @@ impl Profile {
         let names = self.edges().into_iter().map(|edge| edge.name);
         let mut names: Vec<_> = names.collect();
         names.sort_unstable();
-        if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
-            let message = format!("two edges are called '{}'", twice[0]);
+        if let Some([twice, ..]) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+            let message = format!("two edges are called '{twice}'");
             let remedy = "give each edge and each hole a name of its own";
             sizes.conflict(&child(table, "edges"), message, remedy);
         } else if let Err(defect) = self.contour.check() {

@@ -138,7 +138,7 @@ impl Section {
 fn complement(held: &DMatrix<f64>) -> DMatrix<f64> {
     let count = held.nrows();
     let mut basis: Vec<DVector<f64>> = Vec::new();
-    let candidates = held.column_iter().map(|own| own.into_owned());
+    let candidates = held.column_iter().map(nalgebra::Matrix::into_owned);
     let candidates =
         candidates.chain((0..count).map(|k| DVector::from_fn(count, |i, _| f64::from(i == k))));
     for candidate in candidates {
