@@ -1,10 +1,10 @@
 //! Where round bodies stand: each in the hole that holds it.
 //!
 //! ```text
-//! centre(second) = centre(first) + c + (max(R_first − R_second, 0), 0)
+//! centre(second) = centre(first) + c_first − c_second + (max(R_first − R_second, 0), 0)
 //! ```
 //!
-//! c is where the first body has its hole. A body that no hole holds is centred on the origin. One with clearance starts where it touches at θ = 0, one with
+//! c are the centres of the circles, each seen from that of its body. A body that no hole holds is centred on the origin. One with clearance starts where it touches at θ = 0, one with
 //! interference concentric with what holds it.
 
 use stickslip_fem_core::mesh::Point;
@@ -41,8 +41,9 @@ pub fn centre(scene: &Scene, body: &str) -> Point {
             break;
         };
         let aside = radii(scene, contact).map_or([0.0; 2], offset);
-        let hole = within(scene, &contact.first.body, &contact.first.set);
-        sum = [0, 1].map(|axis| sum[axis] + (hole[axis] + aside[axis]));
+        let [hole, own] =
+            [&contact.first, &contact.second].map(|on| within(scene, &on.body, &on.set));
+        sum = [0, 1].map(|axis| sum[axis] + (hole[axis] - own[axis] + aside[axis]));
         inner = &contact.first.body;
     }
     sum

@@ -281,3 +281,54 @@ fn meshes_that_are_none_are_refused() {
         assert!(message.contains(part), "{shape}: {message}");
     }
 }
+
+/// A plate and its pin in one file, away from the origin, each an element set of its own.
+#[test]
+fn two_bodies_of_one_file_stand_where_they_touch() {
+    let strip = solved(&pinned(STRIP), &[""; 0]);
+    let meshes = ["plate", "pin"].map(|name| {
+        let body = strip.bodies.iter().find(|body| body.name == name);
+        body.unwrap().mesh.clone().unwrap()
+    });
+    let mut text = [String::from("*NODE\n"), String::new()];
+    let mut first = 0;
+    for (name, mesh) in ["plate", "pin"].into_iter().zip(&meshes) {
+        for (k, [x, y]) in mesh.nodes().iter().enumerate() {
+            text[0] += &format!("{}, {:.14}, {:.14}\n", first + k + 1, x + 40.0, y - 25.0);
+        }
+        text[1] += &format!("*ELEMENT, TYPE=CPS8, ELSET={name}\n");
+        for cell in 0..mesh.element_count() {
+            let nodes = mesh
+                .element(cell)
+                .1
+                .iter()
+                .map(|node| (first + node + 1).to_string());
+            let nodes: Vec<String> = nodes.collect();
+            text[1] += &format!("{}, {}\n", first + cell + 1, nodes.join(", "));
+        }
+        for set in mesh.node_set_names() {
+            let nodes = mesh.node_set(set).unwrap().iter();
+            let nodes: Vec<String> = nodes.map(|node| (first + node + 1).to_string()).collect();
+            text[1] += &format!("*NSET, NSET={name}-{set}\n{}\n", nodes.join(",\n"));
+        }
+        first += mesh.nodes().len();
+    }
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("both.inp"), text.concat()).unwrap();
+    let given =
+        |name: &str| format!(r#"mesh = {{ file = "both.inp", unit = "mm", elements = "{name}" }}"#);
+    let scene = pinned(&given("plate"))
+        .replace(
+            r#"shape.disk.radius = "4.99 mm""#,
+            &format!("shape.{}", given("pin")),
+        )
+        .replace("[mesh]\nspacing = \"3 deg\"\n", "")
+        .replace("plate.hole", "plate.plate-hole")
+        .replace("plate.left", "plate.plate-left")
+        .replace("pin.rim", "pin.pin-rim");
+    let scene = read(&scene, folder.path()).unwrap();
+    let found = run(&scene, &mut |_| {}).unwrap();
+    for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
+        assert!(apart(own[0], other[0]) < 1e-6, "{own:?} {other:?}");
+    }
+}
