@@ -138,7 +138,17 @@ impl Profile {
         let names = self.edges().into_iter().map(|edge| edge.name);
         let mut names: Vec<_> = names.collect();
         names.sort_unstable();
-        if let Some([twice, ..]) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+        let is_plain = |name: &str| {
+            let plain = |letter: char| letter.is_ascii_alphanumeric() || "_-".contains(letter);
+            !name.is_empty() && name.chars().all(plain)
+        };
+        if let Some(odd) = names.iter().find(|name| !is_plain(name)) {
+            let message = format!(
+                "the name '{odd}' of an edge or a hole is not made of letters a–z, digits, '_' and '-'"
+            );
+            let remedy = "give it another name, such as end or hole-1";
+            sizes.conflict(&child(table, "edges"), message, remedy);
+        } else if let Some([twice, ..]) = names.windows(2).find(|pair| pair[0] == pair[1]) {
             let message = format!("two edges are called '{twice}'");
             let remedy = "give each edge and each hole a name of its own";
             sizes.conflict(&child(table, "edges"), message, remedy);
