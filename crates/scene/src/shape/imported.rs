@@ -106,7 +106,12 @@ impl Keys {
             })?,
         };
         let scale = self.unit.unit().in_base;
-        let made = GivenMesh::new(&self.file, sha256(whole.into_inner()), own, scale);
+        let digest = sha256(format!(
+            "{scale:e} {:?} {}",
+            self.elements,
+            whole.into_inner()
+        ));
+        let made = GivenMesh::new(&self.file, digest, own, scale);
         made.map_err(|cause| refused("file", cause, MEND))
     }
 
@@ -126,7 +131,7 @@ impl Keys {
 pub struct GivenMesh {
     /// The file as the scene names it.
     pub file: String,
-    /// SHA-256 of its text.
+    /// SHA-256 of its text, and of what the scene takes of it.
     pub digest: String,
     /// Its cells, coordinates in `[mm]`; `None` of a file that was refused.
     mesh: Option<Arc<Mesh>>,

@@ -79,9 +79,11 @@ pub trait Outline: fmt::Debug {
     /// One line about it, with lengths as `show` writes them.
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String;
 
-    /// Whether `name` is that of an area.
+    /// Whether `name` is that of an area, and of no edge or point that a file calls the same.
     fn is_area(&self, name: &str) -> bool {
         self.areas().contains(&name)
+            && self.edge(name).is_none()
+            && self.points().iter().all(|(own, _)| own != name)
     }
 
     /// The edge called `name`.
