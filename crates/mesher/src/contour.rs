@@ -58,7 +58,7 @@ impl Contour {
         lines.fold(grown(NOWHERE, self.start), |all, track| box_of(all, &track))
     }
 
-    /// Each piece with its track; that of an arc that is none is the error, as a line.
+    /// Each piece with its track; where three points make no arc, the line between its ends is the error.
     fn tracks(&self) -> impl Iterator<Item = (&Piece, Result<Track, Track>)> {
         let begins = std::iter::once(self.start).chain(self.pieces.iter().map(|piece| piece.to));
         self.pieces.iter().zip(begins).map(|(piece, from)| {

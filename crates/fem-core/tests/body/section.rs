@@ -18,6 +18,9 @@ const HOLD: SectionHold = SectionHold {
     displacement: [0.01, -0.02],
 };
 
+/// Displacement of the support beside it.
+const MOVED: f64 = 0.03;
+
 /// A body under forces and motion of its supports, of which one keeps it from turning if `turns` is false.
 fn body(kind: ElementKind, turns: bool) -> ElasticBody {
     let mesh = scattered(kind, Distortion::Curved, 43);
@@ -35,7 +38,7 @@ fn body(kind: ElementKind, turns: bool) -> ElasticBody {
     let support = Support {
         nodes: vec![corner],
         direction: HeldDirection::Angle(0.4),
-        displacement: 0.0,
+        displacement: MOVED,
     };
     let body = ElasticBody::new(Arc::new(mesh), vec![ply(0.3)], THICKNESS).unwrap();
     let supports = (!turns).then_some(support);
@@ -43,8 +46,8 @@ fn body(kind: ElementKind, turns: bool) -> ElasticBody {
     body.with_section_hold(HOLD)
 }
 
-/// K u + Σ b ρ + c σ = f, bᵀ u = d, cᵀ u = 0: all displacements.
-fn bordered(body: &ElasticBody, forces: &[f64], given: [f64; 2]) -> Vec<f64> {
+/// K u + Σ b ρ + c σ = f, bᵀ u = d, cᵀ u = e: all displacements, d and e times `scale`.
+fn bordered(body: &ElasticBody, forces: &[f64], scale: f64) -> Vec<f64> {
     let stiffness = stiffness_matrix(body);
     let (count, mesh) = (stiffness.nrows(), body.mesh());
     let weights = load::area_load(mesh);
@@ -66,8 +69,9 @@ fn bordered(body: &ElasticBody, forces: &[f64], given: [f64; 2]) -> Vec<f64> {
     border(2 * corner + 1, 2, 0.4_f64.sin());
     let mut side = DVector::zeros(count + 3);
     side.rows_mut(0, count).copy_from_slice(forces);
-    side[count] = given[0];
-    side[count + 1] = given[1];
+    side[count] = scale * HOLD.displacement[0];
+    side[count + 1] = scale * HOLD.displacement[1];
+    side[count + 2] = scale * MOVED;
     let solution = system.lu().solve(&side).unwrap();
     solution.rows(0, count).iter().copied().collect()
 }
@@ -90,7 +94,7 @@ fn displacements_are_those_of_the_bordered_system() {
             forces[2 * node] += force[0];
             forces[2 * node + 1] += force[1];
         }
-        let wanted = bordered(&body, &forces, HOLD.displacement.map(|d| -1.5 * d));
+        let wanted = bordered(&body, &forces, -1.5);
         let found = condensed.displacements(&lambda, &multipliers, &[]);
         let size = largest(&wanted);
         for (own, other) in found.iter().zip(&wanted) {

@@ -193,7 +193,11 @@ fn contacts_supports_and_loads() {
     refused(
         "on = \"plate.left\"",
         "on = \"plate.end\"",
-        &["bad.toml:27:6", "no edge or area 'end'", "plate.hole, plate.left"],
+        &[
+            "bad.toml:27:6",
+            "no edge or area 'end'",
+            "plate.hole, plate.left",
+        ],
     );
     refused(
         "on = \"plate.left\"",

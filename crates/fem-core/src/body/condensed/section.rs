@@ -7,10 +7,10 @@
 //! bᵀ u = d,    Bᵀ α + bᵀ(K⁻ f + …) = d,    B = Rᵀ b,    E = B (BᵀB)⁻¹,    Bᵀ N = 0
 //! ρ  = −Qᵀ λ − Eᵀ r,                     Q = R E,   U = (x_b on the contact points),   M = bᵀ x_b
 //! C' = C − U Qᵀ − Q Uᵀ + Q M Qᵀ,          R' = R N
-//! u' = u_k − U Eᵀ r_k − Q x_bᵀ f_k + Q M Eᵀ r_k,    r' = Nᵀ r_k
+//! u' = u_k − U Eᵀ r_k + Q (d − bᵀ u_s − x_bᵀ f_k + M Eᵀ r_k),    r' = Nᵀ r_k
 //! ```
 //!
-//! ρ is the reaction; b, x_b and α are in the gauge in which the body without the hold was condensed.
+//! u_s are the displacements that moving supports prescribe, d and u_s only in the load case that moves them; ρ is the reaction; b, x_b and α are in the gauge in which the body without the hold was condensed.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -196,7 +196,10 @@ impl CondensedBody {
                 along -= DVector::from_iterator(count, solved.iter().map(|own| dot(own, forces)));
             }
             if loads.moves_supports {
+                let moved = self.structure.support_motion();
+                let means = own.nodal.iter().map(|forces| dot(forces, &moved));
                 along += DVector::from_column_slice(&own.given);
+                along -= DVector::from_iterator(count, means);
             }
             let change = q * along - &responses * resultant;
             if change.iter().any(|part| *part != 0.0) {
