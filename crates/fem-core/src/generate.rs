@@ -32,7 +32,7 @@ pub use blocks::{BlockId, Blocks, Side};
 pub use cylinder::{CylinderOnBlock, CylinderOnBlockMeshes};
 pub use disk::Disk;
 pub use error::GenerateError;
-pub use fan::{bisected_angles, uniform_angles};
+pub use fan::{bisected_angles, uniform_angles, unit_vector};
 pub use plate::{Outline, PlateWithHole};
 pub use rectangle::Rectangle;
 pub use spacing::{geometric, graded, graded_both};

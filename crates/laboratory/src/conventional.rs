@@ -48,6 +48,9 @@ pub enum ConventionalError {
         "the conventional path finds contact on the undeformed geometry: say analysis.kinematics = \"small\""
     )]
     DeformedGaps,
+    /// A mean displacement is held, which the matrix of nodes does not have.
+    #[error("the conventional path holds no sections: hold a point, or an edge")]
+    HeldSection,
     /// The problem was made for other bodies.
     #[error("the problem has {expected} rigid motions, the bodies have {found}")]
     OtherBodies {
@@ -86,7 +89,7 @@ impl ConventionalNewton {
     /// `operators` are the bodies of `problem`, in its order.
     ///
     /// # Errors
-    /// [`ConventionalError::OtherBodies`], [`ConventionalError::Factor`] if the structure does not fit in memory.
+    /// [`ConventionalError::OtherBodies`], [`ConventionalError::HeldSection`], [`ConventionalError::Factor`] if the structure does not fit in memory.
     pub fn new(
         operators: &[Operator],
         problem: &InterfaceProblem,
@@ -99,6 +102,10 @@ impl ConventionalNewton {
         let expected = problem.modes().ncols();
         if found != expected {
             return Err(ConventionalError::OtherBodies { expected, found });
+        }
+        let mut elastic = operators.iter().filter_map(Operator::elastic);
+        if elastic.any(|body| body.body().section_hold().is_some()) {
+            return Err(ConventionalError::HeldSection);
         }
         Ok(Self {
             system: WholeSystem::new(operators, problem)?,

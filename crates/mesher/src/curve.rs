@@ -2,10 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use stickslip_fem_core::generate::unit_vector;
 use stickslip_fem_core::mesh::{Curve, Point};
 
 use crate::vector::{
-    NOWHERE, along, circumcircle, cross, distance, dot, grown, middle, minus, orient, unit,
+    NOWHERE, along, circumcircle, cross, distance, dot, grown, middle, minus, orient,
 };
 
 /// Sine below which three points lie on a line.
@@ -102,7 +103,7 @@ impl Track {
         }
         let t = s / self.length;
         match self.bend {
-            Some(b) => along(b.centre, b.radius, unit(b.start + t * b.sweep)),
+            Some(b) => along(b.centre, b.radius, unit_vector(b.start + t * b.sweep)),
             None => [0, 1].map(|c| {
                 let (a, b) = (self.from[c], self.to[c]);
                 if a == b { a } else { (1.0 - t) * a + t * b }
@@ -113,9 +114,8 @@ impl Track {
     /// Unit vectors along the walk at its beginning and end.
     pub(crate) fn tangents(&self) -> [Point; 2] {
         match self.bend {
-            Some(b) => {
-                [b.start, b.start + b.sweep].map(|angle| unit(angle + FRAC_PI_2.copysign(b.sweep)))
-            }
+            Some(b) => [b.start, b.start + b.sweep]
+                .map(|angle| unit_vector(angle + FRAC_PI_2.copysign(b.sweep))),
             None => [minus(self.to, self.from).map(|c| c / self.length); 2],
         }
     }
@@ -156,7 +156,7 @@ impl Track {
     pub(crate) fn bounds(&self) -> [Point; 2] {
         let ends = grown(grown(NOWHERE, self.from), self.to);
         let Some(b) = self.bend else { return ends };
-        let extremes = (0..4).map(|k| unit(f64::from(k) * FRAC_PI_2));
+        let extremes = (0..4).map(|k| unit_vector(f64::from(k) * FRAC_PI_2));
         extremes
             .filter(|&direction| b.holds(direction))
             .fold(ends, |all, direction| {

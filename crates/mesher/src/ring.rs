@@ -8,11 +8,12 @@
 
 use std::f64::consts::{PI, TAU};
 
+use stickslip_fem_core::generate::unit_vector;
 use stickslip_fem_core::mesh::Point;
 
 use crate::contour::Hole;
 use crate::outline::Outline;
-use crate::vector::{along, distance, least_sine, unit};
+use crate::vector::{along, distance, least_sine};
 
 /// Layers unless more or fewer are asked for.
 const LAYERS: usize = 3;
@@ -50,7 +51,7 @@ impl Ring {
             .angles
             .iter()
             .map(|&angle| {
-                let point = along(hole.centre, hole.radius, unit(angle));
+                let point = along(hole.centre, hole.radius, unit_vector(angle));
                 let others = holes.iter().enumerate().filter(|&(other, _)| other != k);
                 let gaps = others.map(|(_, other)| distance(point, other.centre) - other.radius);
                 let gap = gaps.fold(f64::INFINITY, f64::min);
@@ -95,7 +96,7 @@ impl Ring {
         let a = self.angles[k];
         let next = self.angles.get(k + 1);
         let b = next.map_or_else(|| self.angles[0] + TAU, |&b| b);
-        along(self.centre, self.radius, unit(f64::midpoint(a, b)))
+        along(self.centre, self.radius, unit_vector(f64::midpoint(a, b)))
     }
 }
 
@@ -177,7 +178,7 @@ fn rows(hole: &Hole, widths: &[f64], thickness: &[f64], layers: usize) -> Vec<Ve
                 j if j == layers => t,
                 j => t * sum(width, j) / sum(width, layers),
             };
-            along(hole.centre, hole.radius + offset, unit(angle))
+            along(hole.centre, hole.radius + offset, unit_vector(angle))
         })
         .collect()
     };

@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_4;
 
+use stickslip_fem_core::generate::unit_vector;
 use stickslip_fem_core::mesh::Point;
 
 use crate::ContourError;
 use crate::triangulate::Refinement;
-use crate::vector::{along, circumcircle, distance, least_sine, middle, orient, unit};
+use crate::vector::{along, circumcircle, distance, least_sine, middle, orient};
 
 /// Passes of smoothing, each followed by a new triangulation.
 const PASSES: usize = 5;
@@ -95,7 +96,7 @@ fn searched(
     let mut step = reach / 4.0;
     for _ in 0..SEARCH {
         let from = best.1;
-        let around = (0..8).map(|k| along(from, step, unit(f64::from(k) * FRAC_PI_4)));
+        let around = (0..8).map(|k| along(from, step, unit_vector(f64::from(k) * FRAC_PI_4)));
         best = better(best, around, worst);
         if best.1 == from {
             step /= 2.0;

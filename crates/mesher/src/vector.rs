@@ -1,7 +1,5 @@
 //! Arithmetic of plane vectors.
 
-use std::f64::consts::FRAC_PI_2;
-
 use stickslip_fem_core::mesh::Point;
 
 pub(crate) fn minus(a: Point, b: Point) -> Point {
@@ -62,21 +60,6 @@ pub(crate) fn circumcircle([a, b, c]: [Point; 3]) -> (Point, f64) {
         (u[0] * vv - v[0] * uu) / twice,
     ];
     (along(a, 1.0, offset), offset[0].hypot(offset[1]))
-}
-
-/// (cos, sin), exact at multiples of a right angle.
-pub(crate) fn unit(angle: f64) -> Point {
-    let quarters = angle / FRAC_PI_2;
-    let nearest = quarters.round();
-    if (quarters - nearest).abs() > 1e-14 * nearest.abs().max(1.0) {
-        return [angle.cos(), angle.sin()];
-    }
-    match nearest.rem_euclid(4.0) as u8 {
-        0 => [1.0, 0.0],
-        1 => [0.0, 1.0],
-        2 => [-1.0, 0.0],
-        _ => [0.0, -1.0],
-    }
 }
 
 /// Lowest and highest coordinates of no point at all.

@@ -35,7 +35,7 @@ fn held_at_points(plan: &Plan<'_>) -> Option<Finding> {
     let at_point = |support: &&Placed<'_, Support>| {
         let body = &plan.bodies[support.body];
         let is_point = support.edge.is_none() && !body.shape.is_area(&support.of.on.set);
-        is_point && body.elastic.is_some()
+        is_point && body.elastic.is_some() && body.series.is_none()
     };
     let axes = |hold: &Hold| match hold {
         Hold::Axes(axes) => [axes.x, axes.y],
@@ -44,11 +44,9 @@ fn held_at_points(plan: &Plan<'_>) -> Option<Finding> {
     let shares = |support: &&Placed<'_, Support>| {
         let (linked, own) = (plan.linked(support.body), axes(&support.of.hold));
         let beside = |body: usize, held: [bool; 2]| {
-            body != support.body
-                && linked.contains(&body)
-                && (0..2).any(|axis| own[axis] && held[axis])
+            linked.contains(&body) && (0..2).any(|axis| own[axis] && held[axis])
         };
-        let mut others = plan.supports.iter();
+        let mut others = (plan.supports.iter()).filter(|other| !std::ptr::eq(other.of, support.of));
         let mut platens = plan.platens.iter();
         others.any(|other| beside(other.body, axes(&other.of.hold)))
             || platens.any(|other| beside(other.body, [!other.of.free.x, !other.of.free.y]))

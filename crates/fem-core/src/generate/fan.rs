@@ -48,8 +48,8 @@ pub fn bisected_angles(extent: Extent, angles: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// (cos, sin), exact at multiples of a right angle, so that symmetry lines are straight to the last bit.
-pub(super) fn unit(angle: f64) -> Point {
+/// Computes (cos, sin) of `angle` `[rad]`, exact at multiples of a right angle, so that symmetry lines are straight to the last bit.
+pub fn unit_vector(angle: f64) -> Point {
     let quarters = angle / FRAC_PI_2;
     let nearest = quarters.round();
     if (quarters - nearest).abs() > 1e-14 * nearest.abs().max(1.0) {
@@ -127,7 +127,7 @@ impl Rim {
 
     /// Point on a circle about the origin at `step`.
     pub(super) fn on_circle(&self, radius: f64, step: f64) -> Point {
-        unit(at_step(&self.angles, step)).map(|c| radius * c)
+        unit_vector(at_step(&self.angles, step)).map(|c| radius * c)
     }
 
     /// Width of the neighbouring intervals `[rad]` at every angle, smoothed to [`THICKNESS_SLOPE`].

@@ -45,12 +45,12 @@ pub(crate) fn checked(contour: &Contour) -> Result<Outline, ContourError> {
     numbers(contour)?;
     names(contour)?;
     let outline = resolved(contour)?;
+    crossings(&outline)?;
     let area = outline.area();
     if area <= 0.0 {
         return Err(ContourError::Clockwise { area });
     }
     corners(&outline)?;
-    crossings(&outline)?;
     shared_names(&outline)?;
     for (k, hole) in contour.holes.iter().enumerate() {
         angles(hole)?;

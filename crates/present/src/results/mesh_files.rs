@@ -36,7 +36,9 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Option<FileNote>), 
         files.push((format!("meshes/{stem}.msh"), gmsh.into_bytes()));
         // Cells with nodes inside exist in Gmsh only.
         if let Ok(abaqus) = write_inp(&shown, state) {
-            files.push((format!("meshes/{stem}.inp"), abaqus.into_bytes()));
+            let unit = results.units.length.name;
+            let text = format!("** coordinates in {unit}\n{abaqus}");
+            files.push((format!("meshes/{stem}.inp"), text.into_bytes()));
         }
     }
     let note = FileNote::new(

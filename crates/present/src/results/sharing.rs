@@ -4,7 +4,7 @@
 //! share_k = F_k · e / Σ_j F_j · e,   e = Σ_j F_j / |Σ_j F_j|
 //! ```
 //!
-//! F_k is the force of contact k on the body whose edge it is the first of.
+//! F_k is the force of contact k on its first body; contacts in which that body is the second have no share.
 
 use stickslip_engine::results::Results;
 use stickslip_report::table::{Columns, Table};
@@ -12,8 +12,8 @@ use stickslip_text::significant;
 
 use super::display::EdgeView;
 
-/// Sum of contact forces, as a part of the sum of their magnitudes, below which they balance each other and share nothing.
-const BALANCED: f64 = 1e-9;
+/// Sum of contact forces, as a part of the largest sum of their magnitudes in the history, below which they balance each other and share nothing.
+const BALANCED: f64 = 1e-6;
 
 /// A part of a load, with its estimated error where contact forces have one.
 #[derive(Clone, Copy, Debug)]
@@ -45,8 +45,14 @@ pub(super) fn share(edge: &EdgeView<'_>, step: usize) -> Option<Share> {
     let force = |own: &EdgeView<'_>| own.step(step).resultant;
     let sum = [0, 1].map(|axis| all.iter().map(|own| force(own)[axis]).sum::<f64>());
     let size = |[x, y]: [f64; 2]| x.hypot(y);
-    let (total, each) = (size(sum), all.iter().map(|own| size(force(own))));
-    if total <= BALANCED * each.sum::<f64>() {
+    let total = size(sum);
+    let steps = 0..edge.results().steps.len();
+    let each = |step: usize| {
+        all.iter()
+            .map(|own| size(own.step(step).resultant))
+            .sum::<f64>()
+    };
+    if total <= BALANCED * steps.map(each).fold(0.0, f64::max) {
         return None;
     }
     let [x, y] = force(edge);

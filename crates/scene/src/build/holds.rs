@@ -6,7 +6,7 @@ use super::{Builder, Fits};
 use crate::diagnostic::SceneProblem;
 use crate::document::Part;
 use crate::format::{PlatenFormat, SceneFormat, SupportFormat};
-use crate::schema::{Axes, Axis, Contact, Hold, Platen, Support};
+use crate::schema::{Axes, Axis, Contact, Hold, Platen, SetRef, Support};
 use crate::units::{Angle, Quantity};
 
 fn axes(list: &[Axis]) -> Axes {
@@ -52,6 +52,9 @@ impl Builder<'_> {
                 let remedy = "write fix = [\"x\", \"y\"], or hold an edge or a point";
                 self.conflict(&format!("{key}.normal"), message, remedy);
             }
+            if let (Some(on), Some(hold), true) = (&on, hold, is_area) {
+                self.contradicts(&key, &supports, on, hold, displacement);
+            }
             if let (Some(on), Some(hold)) = (on, hold) {
                 supports.push(Support {
                     on,
@@ -61,6 +64,30 @@ impl Builder<'_> {
             }
         }
         supports
+    }
+
+    /// Refuses a second displacement of an area along an axis.
+    fn contradicts(
+        &mut self,
+        key: &str,
+        others: &[Support],
+        on: &SetRef,
+        hold: Hold,
+        displacement: f64,
+    ) {
+        let along = |hold: Hold| match hold {
+            Hold::Axes(axes) => [axes.x, axes.y],
+            Hold::Direction(_) => [false; 2],
+        };
+        let shares =
+            |other: &&Support| (0..2).any(|axis| along(hold)[axis] && along(other.hold)[axis]);
+        let mut others = others.iter().filter(|other| other.on == *on);
+        let differs = |other: &Support| other.displacement != displacement;
+        if others.by_ref().filter(shares).any(differs) {
+            let message =
+                format!("another support moves {on} along the same axis by another displacement");
+            self.conflict(key, message, "keep one of the two");
+        }
     }
 
     pub(super) fn platens(&mut self, format: &SceneFormat, contacts: &[Contact]) -> Vec<Platen> {

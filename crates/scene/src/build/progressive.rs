@@ -99,6 +99,16 @@ impl Builder<'_> {
             let remedy = "remove failure.progressive, or all but one of these contacts";
             self.conflict(TABLE, message, remedy);
         }
+        let is_area = |set: &SetRef| {
+            let own = self.bodies.get(&set.body);
+            own.is_some_and(|own| own.shape.is_area(&set.set))
+        };
+        let mut supports = around.supports.iter().map(|support| &support.on);
+        if let Some(on) = supports.find(|on| on.body == body && is_area(on)) {
+            let message = format!("the mean of {on} is not held while plies of '{body}' fail");
+            let remedy = "hold an edge of the body, or remove failure.progressive";
+            self.conflict(TABLE, message, remedy);
+        }
         // A contact that could not be read may be the pin's, and several at one hole are refused as such.
         if touched.is_empty() && self.written("contacts") == around.contacts.len() {
             let body = body.to_owned();

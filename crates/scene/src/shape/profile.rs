@@ -116,7 +116,10 @@ impl Keys {
             holes: holes.iter().map(hole).collect(),
         };
         let own = Profile { contour };
-        own.refuse_defects(table, sizes);
+        // A missing end has been reported, and what follows from it needs no second message.
+        if edges[..inner].iter().all(|edge| edge.to.is_some()) {
+            own.refuse_defects(table, sizes);
+        }
         own
     }
 }

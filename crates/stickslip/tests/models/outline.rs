@@ -150,6 +150,17 @@ fn shares_of_a_load_hang_neither_on_the_mesh_nor_on_the_kind_of_operator() {
             }
         }
     }
+    let two = [
+        "supports.0.fix=[\"x\"]",
+        "supports.0.displacement=\"0.01 mm\"",
+        "supports.5={ on = \"bolt-1.section\", fix = [\"x\"] }",
+    ];
+    let twice = Scene::from_text_on(FIVE, Format::Toml, "five.toml", Path::new(""), &two, HOST);
+    let message = twice
+        .err()
+        .map(|error| error.to_string())
+        .unwrap_or_default();
+    assert!(message.contains("by another displacement"), "{message}");
     let held_at_points = |results: &Results| {
         let mut findings = results.findings.iter();
         findings.any(|finding| matches!(finding, Finding::PointSupports { .. }))
@@ -290,31 +301,33 @@ fn two_bodies_of_one_file_stand_where_they_touch() {
         let body = strip.bodies.iter().find(|body| body.name == name);
         body.unwrap().mesh.clone().unwrap()
     });
-    let mut text = [String::from("*NODE\n"), String::new()];
+    let mut nodes = vec!["*NODE".to_owned()];
+    let mut rest = Vec::new();
     let mut first = 0;
     for (name, mesh) in ["plate", "pin"].into_iter().zip(&meshes) {
-        for (k, [x, y]) in mesh.nodes().iter().enumerate() {
-            text[0] += &format!("{}, {:.14}, {:.14}\n", first + k + 1, x + 40.0, y - 25.0);
-        }
-        text[1] += &format!("*ELEMENT, TYPE=CPS8, ELSET={name}\n");
-        for cell in 0..mesh.element_count() {
-            let nodes = mesh
-                .element(cell)
-                .1
+        let numbers = |list: &[usize], join: &str| {
+            let each: Vec<String> = list
                 .iter()
-                .map(|node| (first + node + 1).to_string());
-            let nodes: Vec<String> = nodes.collect();
-            text[1] += &format!("{}, {}\n", first + cell + 1, nodes.join(", "));
-        }
+                .map(|node| (first + node + 1).to_string())
+                .collect();
+            each.join(join)
+        };
+        let places = mesh.nodes().iter().zip(first + 1..);
+        nodes.extend(places.map(|([x, y], k)| format!("{k}, {:.14}, {:.14}", x + 40.0, y - 25.0)));
+        rest.push(format!("*ELEMENT, TYPE=CPS8, ELSET={name}"));
+        let cells = 0..mesh.element_count();
+        rest.extend(
+            cells.map(|k| format!("{}, {}", first + k + 1, numbers(mesh.element(k).1, ", "))),
+        );
         for set in mesh.node_set_names() {
-            let nodes = mesh.node_set(set).unwrap().iter();
-            let nodes: Vec<String> = nodes.map(|node| (first + node + 1).to_string()).collect();
-            text[1] += &format!("*NSET, NSET={name}-{set}\n{}\n", nodes.join(",\n"));
+            rest.push(format!("*NSET, NSET={name}-{set}"));
+            rest.push(numbers(mesh.node_set(set).unwrap(), ",\n"));
         }
         first += mesh.nodes().len();
     }
+    nodes.extend(rest);
     let folder = TempDir::new().unwrap();
-    fs::write(folder.path().join("both.inp"), text.concat()).unwrap();
+    fs::write(folder.path().join("both.inp"), nodes.join("\n") + "\n").unwrap();
     let given =
         |name: &str| format!(r#"mesh = {{ file = "both.inp", unit = "mm", elements = "{name}" }}"#);
     let scene = pinned(&given("plate"))
@@ -326,9 +339,23 @@ fn two_bodies_of_one_file_stand_where_they_touch() {
         .replace("plate.hole", "plate.plate-hole")
         .replace("plate.left", "plate.plate-left")
         .replace("pin.rim", "pin.pin-rim");
-    let scene = read(&scene, folder.path()).unwrap();
-    let found = run(&scene, &mut |_| {}).unwrap();
-    for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
-        assert!(apart(own[0], other[0]) < 1e-6, "{own:?} {other:?}");
+    for kinematics in ["small", "deformed-gaps"] {
+        let gaps = format!("analysis.kinematics=\"{kinematics}\"");
+        let strip = solved(&pinned(STRIP), &[gaps.as_str()]);
+        let scene = Scene::from_text_on(
+            &scene,
+            Format::Toml,
+            "own.toml",
+            folder.path(),
+            &[gaps],
+            HOST,
+        );
+        let found = run(&scene.unwrap(), &mut |_| {}).unwrap();
+        for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
+            assert!(
+                apart(own[0], other[0]) < 1e-6,
+                "{kinematics}: {own:?} {other:?}"
+            );
+        }
     }
 }

@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use super::super::fan::{Rim, unit};
+use super::super::fan::{Rim, unit_vector};
 use super::super::spacing::at_step;
 use crate::mesh::Point;
 
@@ -152,7 +152,7 @@ fn vertices(rim: &Rim, radius: f64, counts: &[[usize; 2]]) -> Vec<Point> {
             1.0 - (1.0 - BULGE) * nearest / FRAC_PI_4
         };
         let relative = if v % 2 == 0 { axis_radius() } else { 1.0 };
-        unit(angle).map(|c| relative * radius * c)
+        unit_vector(angle).map(|c| relative * radius * c)
     };
     let mut vertices: Vec<Point> = angles.iter().enumerate().map(vertex).collect();
     if rim.closed {

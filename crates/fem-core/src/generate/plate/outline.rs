@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
 use super::super::GenerateError;
-use super::super::fan::{ANGLE_ROUNDING, Rim, unit};
+use super::super::fan::{ANGLE_ROUNDING, Rim, unit_vector};
 use super::super::spacing::{at_least, between, positive};
 use crate::mesh::Point;
 
@@ -133,7 +133,7 @@ impl Frame {
             return corners[k];
         }
         let (left, right, top) = (self.left, self.right, self.half_width);
-        let [x, y] = unit(self.outline_angle(rim, ray));
+        let [x, y] = unit_vector(self.outline_angle(rim, ray));
         match self.corners.iter().filter(|&&corner| corner < ray).count() {
             1 => [top * x / y, top],
             2 => [left, left * y / x],
@@ -236,7 +236,7 @@ pub(super) fn on_outline(points: &[Point], step: f64) -> Point {
 /// Every ray must leave the hole outwards; `far` are the outline's points at the rays.
 pub(super) fn check_rays(rim: &Rim, far: &[Point], hole_radius: f64) -> Result<(), GenerateError> {
     for (ray, &angle) in rim.angles.iter().enumerate() {
-        let ([x, y], [cos, sin]) = (far[ray], unit(angle));
+        let ([x, y], [cos, sin]) = (far[ray], unit_vector(angle));
         if x * cos + y * sin <= hole_radius {
             let outline = direction(far[ray]);
             return Err(GenerateError::RayThroughHole { angle, outline });
