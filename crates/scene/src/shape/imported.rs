@@ -25,9 +25,9 @@ pub(super) const MEANING: &str = "a mesh of Gmsh (`.msh`, text), Abaqus or Calcu
 
 #[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
-    text("file", REQUIRED, r#""part.msh""#, "the file, relative to the folder of the scene"),
+    text("file", REQUIRED, r#""data/lug.inp""#, "the file, relative to the folder of the scene"),
     words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
-    text("elements", NONE, r#""plate""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
+    text("elements", NONE, r#""body""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
