@@ -236,6 +236,8 @@ pub struct ModelEdge {
     pub pair: Option<usize>,
     /// Up to where from the bearing point θ = 0 or x = 0 the mesh along it is fine `[rad or mm]`; `None` for all of it.
     pub fine_to: Option<f64>,
+    /// Whether the edge goes on beyond its first and its last node, where it faces nothing.
+    pub goes_on: [bool; 2],
     /// Tractions of the loads on it: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
     pub tractions: Vec<(usize, Vec<[f64; 2]>)>,
 }

@@ -138,6 +138,8 @@ pub enum EdgeKind {
     },
     /// A line or shallow arc along x: `parameter` is x `[mm]`.
     Line,
+    /// Lines and arcs: `parameter` is the arc length s from the middle of the edge, with the body on the left of its walk `[mm]`.
+    Path,
 }
 
 /// An edge whose quantities are reported.
@@ -243,7 +245,7 @@ impl EdgeGeometry {
     pub fn seen(&self, place: f64) -> f64 {
         match self.kind {
             EdgeKind::Circle { .. } => self.frame.angle(place),
-            EdgeKind::Line => place,
+            EdgeKind::Line | EdgeKind::Path => place,
         }
     }
 }

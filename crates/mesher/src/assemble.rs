@@ -18,7 +18,6 @@ struct Rim<'a> {
     /// With the body on the left.
     ends: [usize; 2],
     set: &'a str,
-    curve: Curve,
     /// The true curve half-way.
     halfway: Point,
 }
@@ -56,8 +55,12 @@ pub(crate) fn assembled(
     let mut edge_sets: BTreeMap<String, EdgeSet> = BTreeMap::new();
     for rim in &corners.rims {
         let set = edge_sets.entry(rim.set.to_owned()).or_default();
-        set.curve.get_or_insert(moved(rim.curve, division.centre));
         set.edges.extend(edges.get(&rim.ends));
+    }
+    for (name, set) in &mut edge_sets {
+        set.curve = plan
+            .shared_curve(name)
+            .map(|curve| moved(curve, division.centre));
     }
     let node_sets = on_edges(&edge_sets, division.kind, &connectivity);
     let nodes = corners.points.into_iter();
@@ -125,7 +128,6 @@ impl<'a> Corners<'a> {
                     corners.rims.push(Rim {
                         ends: segment.ends,
                         set: &plan.outline.names[piece],
-                        curve: track.curve(),
                         halfway: track.at(f64::midpoint(from, to)),
                     });
                 }
@@ -153,14 +155,9 @@ impl<'a> Corners<'a> {
             }
             far = near;
         }
-        let curve = Curve::Arc {
-            centre: ring.centre,
-            radius: ring.radius,
-        };
         let rims = (0..count).map(|ray| Rim {
             ends: [far[(ray + 1) % count], far[ray]],
             set: &ring.name,
-            curve,
             halfway: ring.halfway(ray),
         });
         self.rims.extend(rims);

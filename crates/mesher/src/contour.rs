@@ -12,7 +12,7 @@ pub(crate) use check::checked;
 /// One piece of an outline, from the end of the one before to `to`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
-    /// Name of its edge set. Neighbouring pieces on one line or circle may share a name.
+    /// Name of its edge set, which neighbouring pieces may share.
     pub name: String,
     /// Its end `[length]`.
     pub to: Point,

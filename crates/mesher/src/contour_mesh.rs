@@ -59,7 +59,7 @@ impl ContourMesh {
     }
 
     fn estimated(&self, plan: &Plan) -> MeshEstimate {
-        let (cells, corners) = plan.estimate(&self.division.fine);
+        let (cells, corners) = plan.estimate(&self.division.refined);
         let nodes = if self.division.kind == ElementKind::T6 {
             // Edges are half as many again as cells, and half the boundary's.
             corners + 1.5 * cells + corners.sqrt()

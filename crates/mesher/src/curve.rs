@@ -85,6 +85,25 @@ impl Track {
         self.bend.map(|bend| bend.radius)
     }
 
+    /// Moves it by `by`.
+    pub(crate) fn shift(&mut self, by: Point) {
+        self.from = along(self.from, 1.0, by);
+        self.to = along(self.to, 1.0, by);
+        if let Some(bend) = &mut self.bend {
+            bend.centre = along(bend.centre, 1.0, by);
+        }
+    }
+
+    /// Centre of an arc.
+    pub(crate) fn centre(&self) -> Option<Point> {
+        self.bend.map(|bend| bend.centre)
+    }
+
+    /// Angle by which the walk turns `[rad]`, positive counter-clockwise.
+    pub(crate) fn turn(&self) -> f64 {
+        self.bend.map_or(0.0, |bend| bend.sweep)
+    }
+
     /// The exact geometry for an edge set.
     pub(crate) fn curve(&self) -> Curve {
         match self.bend {

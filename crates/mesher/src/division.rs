@@ -14,8 +14,8 @@ pub struct Division {
     pub spacing: Option<f64>,
     /// Growth of the cell size per unit of distance `[1]`, above 0 and at most 1.
     pub growth: f64,
-    /// Spacing on pieces of the outline by name `[length]`, where it is to be finer.
-    pub fine: BTreeMap<String, f64>,
+    /// By how many times cells on pieces of the outline, counted from 0, are smaller than the largest `[1]`.
+    pub refined: BTreeMap<usize, f64>,
     /// Everything is moved by this `[length]`.
     pub centre: Point,
 }
@@ -27,7 +27,7 @@ impl Default for Division {
             kind: ElementKind::T6,
             spacing: None,
             growth: 0.25,
-            fine: BTreeMap::new(),
+            refined: BTreeMap::new(),
             centre: [0.0; 2],
         }
     }

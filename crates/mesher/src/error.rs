@@ -42,14 +42,6 @@ pub enum ContourError {
         /// The name.
         name: String,
     },
-    /// Neighbouring pieces of one name with different exact curves.
-    #[error(
-        "the neighbouring pieces named '{name}' do not lie on one line or circle; give each a name of its own"
-    )]
-    DifferentCurves {
-        /// The name.
-        name: String,
-    },
     /// The last piece does not end where the first begins.
     #[error(
         "the outline is open: its last piece '{piece}' ends at ({}, {}), a distance of {gap} from the start ({}, {})",
@@ -198,13 +190,17 @@ pub enum ContourError {
         /// The growth asked for.
         value: f64,
     },
-    /// A finer spacing for a piece that the outline does not have.
-    #[error("no piece is named '{name}'; the outline has {}", available.join(", "))]
-    UnknownPiece {
-        /// The name asked for.
-        name: String,
-        /// Names of the pieces.
-        available: Vec<String>,
+    /// Cells on a piece that is not there, or that would be larger than elsewhere.
+    #[error(
+        "cells on piece {piece} of {count} cannot be {times} times smaller; pieces count from 0, and 1 or more is possible"
+    )]
+    Refined {
+        /// Number of the piece.
+        piece: usize,
+        /// How many times smaller its cells are to be.
+        times: f64,
+        /// Number of pieces.
+        count: usize,
     },
     /// Cells that stayed large or flat.
     #[error(

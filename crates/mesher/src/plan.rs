@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use stickslip_fem_core::mesh::{ElementKind, Point};
+use stickslip_fem_core::mesh::{Curve, ElementKind, Point};
 
 use crate::contour::{Contour, checked};
 use crate::outline::Outline;
@@ -49,17 +49,36 @@ impl Plan {
         })
     }
 
+    /// The line or circle that all pieces called `name` lie on, or the hole with that name.
+    pub(crate) fn shared_curve(&self, name: &str) -> Option<Curve> {
+        if let Some(ring) = self.rings.iter().find(|ring| ring.name == name) {
+            let (centre, radius) = (ring.centre, ring.radius);
+            return Some(Curve::Arc { centre, radius });
+        }
+        let pieces = self.outline.names.iter().zip(&self.outline.tracks);
+        let mut own = pieces
+            .filter(|(piece, _)| *piece == name)
+            .map(|(_, track)| track);
+        let first = own.next()?;
+        // Arcs from three points know their circle to rounding over their sagitta only.
+        let tolerance = 1e3 * self.outline.tolerance;
+        own.all(|track| first.continues(track, tolerance))
+            .then(|| first.curve())
+    }
+
     /// About how many cells and corner nodes the mesh will have, rather more than fewer.
-    pub(crate) fn estimate(&self, fine: &BTreeMap<String, f64>) -> (f64, f64) {
+    pub(crate) fn estimate(&self, refined: &BTreeMap<usize, f64>) -> (f64, f64) {
         let [low, high] = self.outline.bounds;
         let middle = [0, 1].map(|c| f64::midpoint(low[c], high[c]));
         let half = [0, 1].map(|c| (high[c] - low[c]) / 2.0);
         let cells = CELLS_PER_SIZE * self.integral(middle, half, DEPTH);
         let structured: usize = self.rings.iter().map(Ring::cells).sum();
-        let pieces = self.outline.names.iter().zip(&self.outline.tracks);
+        let pieces = self.outline.tracks.iter().enumerate();
         // A row of cells along fine pieces that the integral does not resolve.
         let along: f64 = pieces
-            .filter_map(|(name, track)| Some(track.length() / fine.get(name)?))
+            .filter_map(|(piece, track)| {
+                Some(track.length() * refined.get(&piece)? / self.size.cap())
+            })
             .sum();
         let cells = cells.max(2.0 * along) + structured as f64;
         let holes: usize = self.rings.iter().map(|ring| ring.angles.len()).sum();
@@ -117,10 +136,8 @@ fn check_division(division: &Division, names: &[String]) -> Result<(), ContourEr
             value: c,
         });
     }
-    let overall = division.spacing.map(|value| ("spacing".to_owned(), value));
-    let fine = division.fine.iter();
-    let fine = fine.map(|(name, &value)| (format!("spacing on piece '{name}'"), value));
-    for (what, value) in overall.into_iter().chain(fine) {
+    if let Some(value) = division.spacing {
+        let what = "spacing".to_owned();
         if !value.is_finite() {
             return Err(ContourError::NotFinite { what, value });
         }
@@ -128,11 +145,15 @@ fn check_division(division: &Division, names: &[String]) -> Result<(), ContourEr
             return Err(ContourError::NotPositive { what, value });
         }
     }
-    match division.fine.keys().find(|name| !names.contains(name)) {
-        Some(name) => Err(ContourError::UnknownPiece {
-            name: name.clone(),
-            available: names.to_vec(),
-        }),
-        None => Ok(()),
+    let mut refined = division.refined.iter();
+    if let Some((&piece, &times)) = refined
+        .find(|&(piece, times)| *piece >= names.len() || !(*times >= 1.0 && times.is_finite()))
+    {
+        return Err(ContourError::Refined {
+            piece,
+            times,
+            count: names.len(),
+        });
     }
+    Ok(())
 }

@@ -61,11 +61,11 @@ impl Size {
         let [low, high] = outline.bounds;
         let narrow = (high[0] - low[0]).min(high[1] - low[1]);
         let cap = division.spacing.unwrap_or(narrow / ACROSS_BODY);
-        let tracks = outline.names.iter().zip(&outline.tracks);
+        let tracks = outline.tracks.iter().enumerate();
         let tracks = tracks
-            .map(|(name, track)| {
+            .map(|(piece, track)| {
                 let arc = track.radius().map(|radius| ARC_STEP * radius);
-                let fine = division.fine.get(name).copied();
+                let fine = division.refined.get(&piece).map(|times| cap / times);
                 let sizes = [arc, fine].into_iter().flatten();
                 (track.clone(), sizes.fold(track.length(), f64::min))
             })
@@ -84,6 +84,11 @@ impl Size {
             clusters,
             tracks,
         }
+    }
+
+    /// The largest size `[length]`.
+    pub(crate) fn cap(&self) -> f64 {
+        self.cap
     }
 
     /// Adds sources of one size.

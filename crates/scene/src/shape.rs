@@ -37,6 +37,8 @@ use crate::declaration::{Key, Table, one_of_the, table};
 use crate::document::child;
 use crate::units::{Length, Quantity};
 
+pub use stickslip_mesher::Path;
+
 pub(crate) use self::outline::Sizes;
 pub use self::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Touch};
 

@@ -3,6 +3,7 @@
 mod edge;
 mod facing;
 mod geometry;
+mod open;
 mod projection;
 
 use std::sync::Arc;
@@ -88,18 +89,20 @@ impl Contacts {
             );
             return Err(refused(contact, what));
         }
-        let upper = edge_nodes(first, meshes, half)?;
-        let geometry = Geometry::of(planned).ok_or_else(|| {
+        let geometry = Geometry::of(plan, planned).ok_or_else(|| {
             let what = format!(
-                "{} and {} cannot touch; a hole takes a disk's rim or a ring's outer edge, a cylinder a block",
+                "{} and {} cannot touch; a hole takes a disk's rim or a ring's outer edge, a cylinder a block, an open edge another",
                 contact.first, contact.second
             );
             refused(contact, what)
         })?;
-        let lower = if plan.is_rigid(second.body) {
-            None
-        } else {
-            Some(edge_nodes(second, meshes, half)?)
+        let is_rigid = plan.is_rigid(second.body);
+        let (upper, lower) = match &geometry {
+            Geometry::Open(pair) => pair.nodes(planned, meshes, is_rigid, units.length)?,
+            Geometry::Circles { .. } | Geometry::Cylinder { .. } => {
+                let lower = (!is_rigid).then(|| edge_nodes(second, meshes, half));
+                (edge_nodes(first, meshes, half)?, lower.transpose()?)
+            }
         };
         let bodies = [first.body, second.body];
         let [above, below] = self.sides(meshes, bodies, &upper, lower.as_ref());

@@ -163,7 +163,7 @@ fn loads(plan: &Plan<'_>, index: usize) -> Result<Vec<[f64; 2]>, String> {
                 far.name
             ));
         }
-        match (&load.of.kind, far.curve) {
+        match (&load.of.kind, &far.curve) {
             (LoadKind::Force { direction, .. }, _) => Ok(*direction),
             (LoadKind::Pressure { .. }, Curve::Segment { ends: [from, to] }) => {
                 // The body is on the left of the way from the first end to the second.

@@ -14,6 +14,9 @@ pub enum Quantity {
     /// `[rad]`.
     #[serde(rename = "rad")]
     Angle(f64),
+    /// An arc length along an edge from its middle `[mm]`.
+    #[serde(rename = "mm along the edge")]
+    Along(f64),
 }
 
 impl Quantity {
@@ -23,13 +26,14 @@ impl Quantity {
         match self {
             Self::Length(value) => Self::Length(value.abs()),
             Self::Angle(value) => Self::Angle(value.abs()),
+            Self::Along(value) => Self::Along(value.abs()),
         }
     }
 
     /// Its number `[mm or rad]`.
     pub fn value(self) -> f64 {
         match self {
-            Self::Length(value) | Self::Angle(value) => value,
+            Self::Length(value) | Self::Angle(value) | Self::Along(value) => value,
         }
     }
 }
@@ -210,6 +214,13 @@ pub enum ContactFinding {
         reach: Quantity,
         /// The smaller of the half length and the depth of the bodies.
         size: Quantity,
+    },
+    /// It touches where its edges cease to face each other, although the first goes on.
+    BeyondFacing {
+        /// The first load step in which it does.
+        step: usize,
+        /// The place.
+        at: Quantity,
     },
     /// Its pressures node by node are not unique, because the first body has more nodes than the soft second one can follow.
     RipplingPressures {

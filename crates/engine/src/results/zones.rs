@@ -31,7 +31,7 @@ impl EdgeResults {
                 let seen = zones.map(|zone| (zone.status, frame.range([zone.start, zone.end])));
                 about_bearing(geometry, self.judged_from(geometry), seen.collect())
             }
-            EdgeKind::Line => zones
+            EdgeKind::Line | EdgeKind::Path => zones
                 .map(|zone| (zone.status, [zone.start, zone.end]))
                 .collect(),
         };

@@ -28,7 +28,7 @@ pub(super) fn find(edge: &ModelEdge, steps: &mut [EdgeResults]) -> ContactFrame 
     if geometry.contact {
         let points = match geometry.kind {
             EdgeKind::Circle { .. } => directions(steps),
-            EdgeKind::Line => centres(edge, steps),
+            EdgeKind::Line | EdgeKind::Path => centres(edge, steps),
         };
         for (step, point) in steps.iter_mut().zip(points) {
             step.bearing = point;
@@ -163,7 +163,7 @@ fn reaches(geometry: &EdgeGeometry, zones: &[Zone], at: Option<f64>) -> bool {
 fn friction_force(edge: &ModelEdge, rows: &[EdgeRow], bearing: Option<f64>) -> f64 {
     let half = edge.geometry.half;
     let (side, both): (Box<dyn Fn(f64) -> f64>, f64) = match (edge.geometry.kind, bearing) {
-        (EdgeKind::Line, _) => (Box::new(|_| 1.0), if half { 0.0 } else { 1.0 }),
+        (EdgeKind::Line | EdgeKind::Path, _) => (Box::new(|_| 1.0), if half { 0.0 } else { 1.0 }),
         (EdgeKind::Circle { .. }, None) => return 0.0,
         (EdgeKind::Circle { .. }, Some(from)) => {
             let side = move |at: f64| {

@@ -141,7 +141,8 @@ fn series_stresses(
     states: &[BodyLoad<'_>],
 ) -> Result<Vec<Vec<[f64; 3]>>, SeriesError> {
     let own = model.bodies[edge.geometry.body].elastic();
-    if let (EdgeKind::Line, None, Some(own)) = (edge.geometry.kind, edge.pair, own) {
+    if let (EdgeKind::Line | EdgeKind::Path, None, Some(own)) = (edge.geometry.kind, edge.pair, own)
+    {
         let nodes = own.mesh().nodes();
         let of_state = |state| {
             let field = body.field(state)?;
@@ -278,7 +279,7 @@ fn add_stresses(
     };
     let stresses = edge_stresses(&data, material.as_ref(), initial_strain)?;
     // (n, t) = (e_r, e_θ) on a circle; on a line (e_y, −e_x), which turns the sign of the shear.
-    let sign = if matches!(edge.geometry.kind, EdgeKind::Line) {
+    let sign = if matches!(edge.geometry.kind, EdgeKind::Line | EdgeKind::Path) {
         -1.0
     } else {
         1.0
@@ -299,8 +300,10 @@ fn ends(geometry: &EdgeGeometry) -> PathEnds {
             length: std::f64::consts::TAU * radius,
         },
         (EdgeKind::Circle { .. }, true) => PathEnds::Open([mirror([1.0, 0.0]); 2]),
-        (EdgeKind::Line, false) => PathEnds::Open([PathEnd::Free; 2]),
-        (EdgeKind::Line, true) => PathEnds::Open([mirror([0.0, 1.0]), PathEnd::Free]),
+        (EdgeKind::Line | EdgeKind::Path, false) => PathEnds::Open([PathEnd::Free; 2]),
+        (EdgeKind::Line | EdgeKind::Path, true) => {
+            PathEnds::Open([mirror([0.0, 1.0]), PathEnd::Free])
+        }
     }
 }
 
@@ -374,7 +377,7 @@ fn summarise(
         let whole = match (half, edge.geometry.kind) {
             (false, _) => [x, y],
             (true, EdgeKind::Circle { .. }) => [2.0 * x, 0.0],
-            (true, EdgeKind::Line) => [0.0, 2.0 * y],
+            (true, EdgeKind::Line | EdgeKind::Path) => [0.0, 2.0 * y],
         };
         let work = reported.friction_work[pair];
         (whole, reported.sums[pair].normal, work)

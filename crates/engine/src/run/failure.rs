@@ -153,7 +153,9 @@ impl<'a> Subject<'a> {
                     EdgeKind::Circle { .. } => {
                         cartesian([row.sigma_normal, row.sigma_tangential, row.tau], at)
                     }
-                    EdgeKind::Line => [row.sigma_tangential, row.sigma_normal, row.tau],
+                    EdgeKind::Line | EdgeKind::Path => {
+                        [row.sigma_tangential, row.sigma_normal, row.tau]
+                    }
                 };
             }
         }
@@ -317,7 +319,7 @@ impl<'a> Subject<'a> {
             EdgeKind::Circle { centre, radius } => {
                 centre == hole.centre && (radius - hole.radius).abs() <= 1e-9 * radius
             }
-            EdgeKind::Line => false,
+            EdgeKind::Line | EdgeKind::Path => false,
         };
         let edges = self.model.edges.iter().zip(&results.edges);
         let own = edges

@@ -90,7 +90,7 @@ impl<'a> Walk<'a> {
                 let whole = (!geometry.half).then_some(std::f64::consts::TAU * radius);
                 (radius, whole)
             }
-            EdgeKind::Line => (-1.0, None),
+            EdgeKind::Line | EdgeKind::Path => (-1.0, None),
         };
         let mut walk = Self {
             geometry,
@@ -172,7 +172,7 @@ impl<'a> Walk<'a> {
                     0.0
                 }
             }),
-            EdgeKind::Line => 0.0,
+            EdgeKind::Line | EdgeKind::Path => 0.0,
         };
         match (self.geometry.half, ends.as_slice()) {
             (true, [end]) => Some(((end.place - symmetric).abs() / scale, end.error / scale)),

@@ -6,7 +6,7 @@ use stickslip_contact::interface::Part;
 use stickslip_contact::uniqueness::NEAR_BOUND;
 use stickslip_contact::zones::{Zone, ends_of_contact};
 
-use crate::model::Model;
+use crate::model::{Model, ModelEdge};
 use crate::results::{
     BearingSource, ContactFinding, EdgeGeometry, EdgeKind, EdgeResults, FailedSolver, Finding,
     FreeBody, FreeMotion, FurtherSolvers, Quantity, StatusCycle, StepResults, UniquenessBound,
@@ -35,6 +35,7 @@ pub(super) fn of_steps(
             let own: Vec<&EdgeResults> = steps.iter().map(|step| &step.edges[index]).collect();
             let zones: Vec<&[Zone]> = own.iter().map(|step| &*step.zones).collect();
             findings.extend(beyond_fine_zone(model.edges[index].fine_to, edge, &zones));
+            findings.extend(beyond_facing(&model.edges[index], &own));
             findings.extend(wanders(edge, &own));
         }
     }
@@ -112,11 +113,11 @@ fn wanders(edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option<Finding> {
     let widest = widest.fold(0.0, f64::max);
     let least = match edge.kind {
         EdgeKind::Circle { .. } => WANDERS,
-        EdgeKind::Line => WANDERS_PART * widest,
+        EdgeKind::Line | EdgeKind::Path => WANDERS_PART * widest,
     };
     let away = |at: f64| match edge.kind {
         EdgeKind::Circle { .. } => wrapped(at - from).abs(),
-        EdgeKind::Line => (at - from).abs(),
+        EdgeKind::Line | EdgeKind::Path => (at - from).abs(),
     };
     let points = steps.iter().map(|step| step.bearing).enumerate();
     let points = points.filter_map(|(step, at)| Some((step, at?)));
@@ -125,6 +126,7 @@ fn wanders(edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option<Finding> {
     let place = |at: f64| match edge.kind {
         EdgeKind::Circle { .. } => Quantity::Angle(wrapped(at)),
         EdgeKind::Line => Quantity::Length(at),
+        EdgeKind::Path => Quantity::Along(at),
     };
     (away(at) > least).then(|| {
         let found = ContactFinding::BearingPointWanders {
@@ -137,13 +139,32 @@ fn wanders(edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option<Finding> {
     })
 }
 
+/// The first contact at an end of `edge` beyond which it faces nothing.
+fn beyond_facing(edge: &ModelEdge, steps: &[&EdgeResults]) -> Option<Finding> {
+    let geometry = &edge.geometry;
+    let last = geometry.parameter.len().checked_sub(1)?;
+    let ends = [0, last].into_iter().zip(edge.goes_on);
+    let ends: Vec<usize> = ends
+        .filter_map(|(end, goes_on)| goes_on.then_some(end))
+        .collect();
+    steps.iter().enumerate().find_map(|(step, results)| {
+        let touches = |end: &&usize| results.rows[**end].status.touches();
+        let &end = ends.iter().find(touches)?;
+        let found = ContactFinding::BeyondFacing {
+            step: step + 1,
+            at: Quantity::Along(geometry.parameter[end]),
+        };
+        Some(Finding::about(&geometry.name, found))
+    })
+}
+
 /// The farthest end of contact on `edge` in any load step, if it lies beyond the `limit` of the mesh's fine zone; `steps` holds the
 /// contact's zones for each step. Contact all around has no end, and a mesh of equal spacing no limit.
 fn beyond_fine_zone(limit: Option<f64>, edge: &EdgeGeometry, steps: &[&[Zone]]) -> Option<Finding> {
     let limit = limit?;
     let place = |end: f64| match edge.kind {
         EdgeKind::Circle { .. } => wrapped(end),
-        EdgeKind::Line => end,
+        EdgeKind::Line | EdgeKind::Path => end,
     };
     let ends = |zones: &[Zone]| -> Vec<f64> {
         let ends = ends_of_contact(zones, edge.closed());
@@ -165,6 +186,7 @@ fn beyond_fine_zone(limit: Option<f64>, edge: &EdgeGeometry, steps: &[&[Zone]]) 
     let quantity = match edge.kind {
         EdgeKind::Circle { .. } => Quantity::Angle,
         EdgeKind::Line => Quantity::Length,
+        EdgeKind::Path => Quantity::Along,
     };
     let found = ContactFinding::BeyondFineMesh {
         step: step + 1,

@@ -24,7 +24,7 @@ pub fn true_edge(experiment: &Experiment, truth: Option<&Truth>, state: usize) -
     let radius = experiment.specimen.hole.radius;
     let is_hole = |kind: &EdgeKind| match kind {
         EdgeKind::Circle { radius: found, .. } => (found / radius - 1.0).abs() < 1e-9,
-        EdgeKind::Line => false,
+        EdgeKind::Line | EdgeKind::Path => false,
     };
     let edges = &truth.results.edges;
     let index = edges

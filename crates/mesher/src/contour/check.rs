@@ -51,7 +51,6 @@ pub(crate) fn checked(contour: &Contour) -> Result<Outline, ContourError> {
         return Err(ContourError::Clockwise { area });
     }
     corners(&outline)?;
-    shared_names(&outline)?;
     for (k, hole) in contour.holes.iter().enumerate() {
         angles(hole)?;
         inside(hole, &outline)?;
@@ -192,20 +191,6 @@ fn crossings(outline: &Outline) -> Result<(), ContourError> {
                     at,
                 });
             }
-        }
-    }
-    Ok(())
-}
-
-/// Pieces of one name lie on one curve.
-fn shared_names(outline: &Outline) -> Result<(), ContourError> {
-    for (k, track) in outline.tracks.iter().enumerate() {
-        let before = outline.before(k);
-        let (name, other) = (&outline.names[k], &outline.names[before]);
-        // Arcs from three points know their circle to rounding over their sagitta only.
-        let tolerance = 1e3 * outline.tolerance;
-        if name == other && !outline.tracks[before].continues(track, tolerance) {
-            return Err(ContourError::DifferentCurves { name: name.clone() });
         }
     }
     Ok(())

@@ -66,13 +66,16 @@ fn the_limit_reported_is_the_one_given() {
 #[test]
 fn hopeless_spacings_are_refused() {
     let coarse = Division::default();
-    let fine = BTreeMap::from([("left".to_owned(), 1e-12)]);
+    let fine = BTreeMap::from([(3, 1e12)]);
     for division in [
         Division {
             spacing: Some(1e-9),
             ..coarse.clone()
         },
-        Division { fine, ..coarse },
+        Division {
+            refined: fine,
+            ..coarse
+        },
     ] {
         let mesh = ContourMesh {
             contour: strip(),

@@ -64,10 +64,6 @@ fn names() {
     let mut contour = strip();
     contour.holes[0].name = "left".into();
     assert_eq!(refused(&contour), duplicate("left"));
-    let mut contour = strip();
-    contour.pieces[1].name = "bottom".into();
-    let name = "bottom".to_owned();
-    assert_eq!(refused(&contour), ContourError::DifferentCurves { name });
 }
 
 #[test]
@@ -233,15 +229,13 @@ fn divisions() {
         divided(|d| d.centre[1] = f64::INFINITY),
         ContourError::NotFinite { .. }
     ));
-    let fine = |name: &str, value| BTreeMap::from([(name.to_owned(), value)]);
-    assert!(
-        matches!(divided(|d| d.fine = fine("left", -1.0)), ContourError::NotPositive { what, .. } if what.contains("left"))
-    );
-    let unknown = divided(|d| d.fine = fine("lefft", 0.1));
-    assert_eq!(
-        unknown.to_string(),
-        "no piece is named 'lefft'; the outline has bottom, right, top, left"
-    );
+    for (piece, times) in [(3, 0.5), (3, f64::NAN), (4, 2.0)] {
+        let refused = divided(|d| d.refined = BTreeMap::from([(piece, times)]));
+        assert!(
+            matches!(refused, ContourError::Refined { count: 4, .. }),
+            "{refused}"
+        );
+    }
 }
 
 /// Holes of 8 nodes nearly touch: no cell between them can have good angles.

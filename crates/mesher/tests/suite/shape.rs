@@ -114,11 +114,11 @@ fn layers_are_as_asked() {
 /// Spacing on fine pieces is what is asked for, and cells far from everything have the overall spacing.
 #[test]
 fn spacings_are_kept() {
-    let fine = BTreeMap::from([("edge 0".to_owned(), 0.05)]);
+    let fine = BTreeMap::from([(0, 6.0)]);
     let division = Division {
         kind: ElementKind::T3,
         spacing: Some(0.3),
-        fine,
+        refined: fine,
         ..Division::default()
     };
     let contour = angle_plate();

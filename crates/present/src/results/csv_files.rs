@@ -9,7 +9,7 @@ use super::quantities::csv_columns;
 use super::{FileNote, OutputError, failure};
 use crate::PutFile;
 use crate::csv::{self, number};
-use stickslip_engine::results::{EdgeRow, Results, RowErrors, Stated, StepResults};
+use stickslip_engine::results::{EdgeKind, EdgeRow, Results, RowErrors, Stated, StepResults};
 
 /// Hands all CSV files to `put`, one after the other, because those of a long history are many; what they hold.
 pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {
@@ -75,10 +75,10 @@ fn edge_columns(edge: EdgeView<'_>, states_errors: bool) -> Columns<'_, Node<'_>
     let length = |value: fn(&EdgeRow) -> f64| {
         move |(_, row, _): Node<'_>| number(units.length.from_base(value(row)))
     };
-    let (place, names) = if edge.is_circle() {
-        ("theta", ["sigma_r", "sigma_theta", "tau_rtheta"])
-    } else {
-        ("x", ["sigma_yy", "sigma_xx", "tau_xy"])
+    let (place, names) = match edge.geometry.kind {
+        EdgeKind::Circle { .. } => ("theta", ["sigma_r", "sigma_theta", "tau_rtheta"]),
+        EdgeKind::Line => ("x", ["sigma_yy", "sigma_xx", "tau_xy"]),
+        EdgeKind::Path => ("s", ["sigma_n", "sigma_s", "tau_ns"]),
     };
     // From +x, as the mesh and the field files have it.
     let mut columns = Columns::new().with(place, edge.place_unit(), move |(at, ..): Node<'_>| {

@@ -74,7 +74,7 @@ impl<'a> EdgeView<'a> {
         }
     }
 
-    /// A place of the edge's `parameter` as a reader sees it: its angle from the bearing point, or x, in display units.
+    /// A place of the edge's `parameter` as a reader sees it: its angle from the bearing point, or x or s, in display units.
     pub(super) fn place(&self, parameter: f64) -> f64 {
         self.length(self.geometry.seen(parameter))
     }
@@ -88,12 +88,12 @@ impl<'a> EdgeView<'a> {
         }
     }
 
-    /// "φ" from a bearing point, "θ" from +x where there is none, or "x".
+    /// "φ" from a bearing point, "θ" from +x where there is none, "x", or "s" from the middle of the edge.
     pub(super) fn place_symbol(&self) -> &'static str {
-        if self.is_circle() {
-            self.geometry.frame.symbol()
-        } else {
-            "x"
+        match self.geometry.kind {
+            EdgeKind::Circle { .. } => self.geometry.frame.symbol(),
+            EdgeKind::Line => "x",
+            EdgeKind::Path => "s",
         }
     }
 
@@ -102,6 +102,7 @@ impl<'a> EdgeView<'a> {
         match self.place_symbol() {
             "φ" => "Angle φ from the bearing point",
             "θ" => "Angle θ from +x",
+            "s" => "Place s along the edge, from its middle",
             _ => "Place x along the edge",
         }
     }
@@ -221,10 +222,10 @@ impl<'a> EdgeView<'a> {
 
     /// Names of the normal, the tangential and the shear stress.
     pub(super) fn stress_symbols(&self) -> [&'static str; 3] {
-        if self.is_circle() {
-            ["σ_r", "σ_θ", "τ_rθ"]
-        } else {
-            ["σ_yy", "σ_xx", "τ_xy"]
+        match self.geometry.kind {
+            EdgeKind::Circle { .. } => ["σ_r", "σ_θ", "τ_rθ"],
+            EdgeKind::Line => ["σ_yy", "σ_xx", "τ_xy"],
+            EdgeKind::Path => ["σ_n", "σ_s", "τ_ns"],
         }
     }
 

@@ -136,11 +136,15 @@ fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
     let geometry = view.geometry;
     let radius = match geometry.kind {
         EdgeKind::Circle { radius, .. } => Some(Quantity::of(view.units().length, radius)),
-        EdgeKind::Line => None,
+        EdgeKind::Line | EdgeKind::Path => None,
     };
     Edge {
         name: &geometry.name,
-        kind: if view.is_circle() { "circle" } else { "line" },
+        kind: match geometry.kind {
+            EdgeKind::Circle { .. } => "circle",
+            EdgeKind::Line => "line",
+            EdgeKind::Path => "path",
+        },
         contact: geometry.contact,
         body: view.body(),
         law: geometry.contact.then_some(geometry.law.as_str()),

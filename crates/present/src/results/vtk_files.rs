@@ -195,7 +195,7 @@ pub(super) fn polar_stresses(mesh: &Mesh, fields: &BodyFields, centre: Point) ->
 pub(super) fn polar_centre(results: &Results) -> Option<Point> {
     results.edges.iter().find_map(|edge| match edge.kind {
         EdgeKind::Circle { centre, .. } => Some(centre),
-        EdgeKind::Line => None,
+        EdgeKind::Line | EdgeKind::Path => None,
     })
 }
 

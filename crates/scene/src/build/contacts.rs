@@ -7,7 +7,7 @@ use crate::diagnostic::SceneProblem;
 use crate::document::Part;
 use crate::format::{ContactFormat, SceneFormat};
 use crate::friction;
-use crate::schema::{Contact, SetRef, Substance};
+use crate::schema::{Contact, GapKind, SetRef, Substance};
 use crate::shape::{Edge, Role, Touch};
 
 /// Largest overlap of two circles, as a part of the hole's radius: small displacements hold far below it.
@@ -135,7 +135,7 @@ impl Builder<'_> {
         let (first, second) = (first?, second?);
         // Contact of a body with itself is refused elsewhere.
         if first.body != second.body {
-            self.pair(key, *interference, &first, &second);
+            self.pair(key, *gap, *interference, &first, &second);
         }
         Some(Contact {
             name,
@@ -157,11 +157,29 @@ impl Builder<'_> {
         Some(sheet.ply_fractions())
     }
 
-    fn pair(&mut self, key: &str, interference: bool, first: &SetRef, second: &SetRef) {
+    fn pair(
+        &mut self,
+        key: &str,
+        gap: GapKind,
+        interference: bool,
+        first: &SetRef,
+        second: &SetRef,
+    ) {
         match self.touch(first, second) {
             Some(Touch::Circles { radii }) => self.circles(interference, [first, second], radii),
             Some(Touch::Cylinder { .. }) => self.divided_together(key, [first, second]),
+            Some(Touch::Open) => self.open(key, gap),
             None => self.no_pair(key, first, second),
+        }
+    }
+
+    /// Refuses gaps of open edges that are not those of the true curves.
+    fn open(&mut self, key: &str, gap: GapKind) {
+        if gap == GapKind::Linearised {
+            let message =
+                "linearised gaps are those of a circle in a hole or a cylinder on a block";
+            let remedy = "leave out `gap`, which is then that of the true curves";
+            self.conflict(&format!("{key}.gap"), message, remedy);
         }
     }
 
@@ -197,7 +215,7 @@ impl Builder<'_> {
             format!("swap them: first = \"{second}\", second = \"{first}\"")
         } else {
             "first is a circular hole and second the rim of a disk or the outer edge of a ring, or first the contact edge of a \
-             cylinder and second that of a block"
+             cylinder and second that of a block, or both are open edges whose lines and arcs are known: of outlines and rectangles, and of meshes along one line or circle"
                 .to_owned()
         };
         let problem = SceneProblem::ContactPair {

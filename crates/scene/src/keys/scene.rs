@@ -69,9 +69,9 @@ pub(super) const TABLES: &[Table] = &[
     Table::new("contacts", &[
         text("name", "name of the second body", r#""pin""#, "name in the results, a different one for each contact"),
         set("first", REQUIRED, r#""plate.hole""#,
-            "the hole of a plate_with_hole, or the `contact` edge of a cylinder; an elastic body"),
+            "a hole, the `contact` edge of a cylinder, or an open edge; of an elastic body"),
         set("second", REQUIRED, r#""pin.rim""#,
-            "the rim of a disk or the `outer` edge of a ring, or the `contact` edge of a block"),
+            "the rim of a disk or the `outer` edge of a ring in the hole, the `contact` edge of a block under the cylinder, or another open edge"),
         words("gap", r#"`"exact"`, `"linearised"`, `"faceted"`"#, r#"`"exact"`"#, r#""linearised""#,
             "initial gap: of the true circles; to first order, c (1 − cos θ) with clearance c or x²/2R, as closed forms have \
             it; between the nodes of the mesh"),

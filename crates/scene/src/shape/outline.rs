@@ -9,6 +9,9 @@ use stickslip_fem_core::generate::{Extent, Generate, GenerateError};
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 use thiserror::Error;
 
+use stickslip_mesher as mesher;
+use stickslip_mesher::Stretch;
+
 use crate::units::{Length, Quantity};
 
 /// A body's shape. Coordinates are those of the body, whose centre stands where [`placement`](crate::placement) puts it; all
@@ -131,7 +134,7 @@ pub struct Edge {
 }
 
 /// An exact curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Curve {
     /// A closed circle.
     Circle {
@@ -156,10 +159,12 @@ pub enum Curve {
         /// Its ends; on the way from the first to the second the body is on the left.
         ends: [Point; 2],
     },
-    /// Anything else, such as an edge of a mesh whose curve is not known.
+    /// Anything else: several lines and arcs, or an edge of a mesh whose curve is not known.
     Chain {
-        /// The smallest and the largest x and y of its nodes.
+        /// The smallest and the largest x and y of its points.
         bounds: [Point; 2],
+        /// Its lines and arcs with the body on their left; empty where they are not known.
+        stretches: Vec<Stretch>,
     },
 }
 
@@ -172,7 +177,70 @@ impl Curve {
             let more = [0, 1].map(|axis| f64::max(high[axis], at[axis]));
             [less, more]
         });
-        Self::Chain { bounds }
+        Self::Chain {
+            bounds,
+            stretches: Vec::new(),
+        }
+    }
+
+    /// The curve along all of `curves`, each of which is a line or an arc that begins where the one before ends.
+    pub(super) fn joined<'a>(curves: impl Iterator<Item = &'a Self> + Clone) -> Self {
+        let stretches: Vec<Stretch> = curves.clone().filter_map(Self::stretch).collect();
+        match stretches.as_slice() {
+            [_] => curves.cloned().next().unwrap_or_else(|| Self::chain(&[])),
+            [first, .., last]
+                if stretches.iter().all(|own| own.through.is_none())
+                    && are_straight(&stretches) =>
+            {
+                Self::Segment {
+                    ends: [first.ends[0], last.ends[1]],
+                }
+            }
+            _ => {
+                let range = |axis| {
+                    curves.clone().map(move |curve| curve.range(axis)).fold(
+                        [f64::INFINITY, f64::NEG_INFINITY],
+                        |[low, high], [least, most]| [low.min(least), high.max(most)],
+                    )
+                };
+                let [x, y] = [range(0), range(1)];
+                Self::Chain {
+                    bounds: [[x[0], y[0]], [x[1], y[1]]],
+                    stretches,
+                }
+            }
+        }
+    }
+
+    /// The lines and arcs of an open curve with the body on their left; `None` of a circle, and where they are not known.
+    pub fn path(&self) -> Option<mesher::Path> {
+        match self {
+            Self::Circle { .. } => None,
+            Self::Chain { stretches, .. } => mesher::Path::new(stretches),
+            Self::Segment { .. } | Self::Arc { .. } => mesher::Path::new(&[self.stretch()?]),
+        }
+    }
+
+    /// One line or arc.
+    pub(super) fn stretch(&self) -> Option<Stretch> {
+        match *self {
+            Self::Segment { ends } => Some(Stretch {
+                ends,
+                through: None,
+            }),
+            Self::Arc {
+                centre, ends, turn, ..
+            } => {
+                let (sin, cos) = (0.5 * turn).sin_cos();
+                let [x, y] = [0, 1].map(|axis| ends[0][axis] - centre[axis]);
+                let through = [centre[0] + cos * x - sin * y, centre[1] + sin * x + cos * y];
+                Some(Stretch {
+                    ends,
+                    through: Some(through),
+                })
+            }
+            Self::Circle { .. } | Self::Chain { .. } => None,
+        }
     }
 
     /// The arc from `from` through `through` to `to`; `None` where they lie on a line.
@@ -200,7 +268,7 @@ impl Curve {
             Self::Circle { centre, radius } => {
                 return [centre[axis] - radius, centre[axis] + radius];
             }
-            Self::Segment { ends } | Self::Chain { bounds: ends } => ends.to_vec(),
+            Self::Segment { ends } | Self::Chain { bounds: ends, .. } => ends.to_vec(),
             Self::Arc {
                 centre,
                 radius,
@@ -223,6 +291,17 @@ impl Curve {
             [least.min(at), most.max(at)]
         })
     }
+}
+
+/// Whether lines that follow one another make one line.
+fn are_straight(lines: &[Stretch]) -> bool {
+    const STRAIGHT: f64 = 1e-9;
+    let along = |own: &Stretch| [0, 1].map(|axis| own.ends[1][axis] - own.ends[0][axis]);
+    lines.windows(2).all(|pair| {
+        let [[ax, ay], [bx, by]] = [along(&pair[0]), along(&pair[1])];
+        (ax * by - ay * bx).abs() <= STRAIGHT * ax.hypot(ay) * bx.hypot(by)
+            && ax * bx + ay * by > 0.0
+    })
 }
 
 /// Whether the way along a circle about `centre` from the point `from` through the angle `turn` passes its point `at`.
@@ -265,6 +344,8 @@ pub enum Touch {
         /// Radius of the cap.
         radius: f64,
     },
+    /// Open edges of known curves, which stand where their bodies' coordinates say.
+    Open,
 }
 
 impl Edge {
@@ -363,17 +444,22 @@ impl Edge {
 
     /// How this edge, as the first of a contact, touches `second`; `None` where gaps between the two are not known.
     pub fn touches(&self, second: &Self) -> Option<Touch> {
-        match (self.role, self.curve, second.role, second.curve) {
+        match (self.role, &self.curve, second.role, &second.curve) {
             (
                 Role::Hole,
                 Curve::Circle { radius: hole, .. },
                 Role::Rim,
                 Curve::Circle { radius: inner, .. },
             ) => Some(Touch::Circles {
-                radii: [hole, inner],
+                radii: [*hole, *inner],
             }),
             (Role::Cap, Curve::Arc { radius, .. }, Role::Surface, _) => {
-                Some(Touch::Cylinder { radius })
+                Some(Touch::Cylinder { radius: *radius })
+            }
+            (Role::Free, one, Role::Free, other)
+                if one.path().is_some() && other.path().is_some() =>
+            {
+                Some(Touch::Open)
             }
             _ => None,
         }

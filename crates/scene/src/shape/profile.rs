@@ -20,11 +20,14 @@ use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
 
 use super::hole::MESH_KEYS;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
-use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, Table, length, tables_of, text, words};
+use crate::declaration::{
+    Key, NONE, POSITIVE, REQUIRED, Range, Table, length, number, numbers, tables_of, text, words,
+};
 use crate::document::child;
 use crate::units::{Length, Quantity};
 
 const NAME: &str = "outline";
+const FROM_ONE: Range = numbers(" ≥ 1", "at least 1", |value| value >= 1.0);
 
 pub(super) const MEANING: &str = "lines and arcs around a body, with circular holes anywhere in it; edges and holes as they are named";
 
@@ -40,9 +43,10 @@ pub(super) const ROWS: &[Key] = &[
 #[rustfmt::skip]
 pub(super) const TABLES: &[Table] = &[
     Table::new("bodies.NAME.shape.outline.edges", &[
-        text("name", REQUIRED, r#""end""#, "name of the edge, a different one for each"),
+        text("name", REQUIRED, r#""end""#, "name of the edge; neighbours with one name are one edge"),
         words("to", "two lengths", "`start`, of the last edge", r#"["40 mm", "20 mm"]"#, "where it ends"),
         words("through", "two lengths", "a straight edge", r#"["60 mm", "0 mm"]"#, "a point between its ends, which makes it an arc"),
+        number("refine", "`1`", "8.0", "by how many times cells along it are smaller than the largest of the body").range(FROM_ONE),
     ]),
     Table::new("bodies.NAME.shape.outline.holes.NAME", &[
         words("centre", "two lengths", REQUIRED, r#"["40 mm", "0 mm"]"#, "its centre"),
@@ -70,6 +74,8 @@ struct EdgeKeys {
     to: Option<Place>,
     #[serde(skip_serializing_if = "Option::is_none")]
     through: Option<Place>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refine: Option<f64>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -115,13 +121,36 @@ impl Keys {
             pieces: edges.iter().map(piece).collect(),
             holes: holes.iter().map(hole).collect(),
         };
-        let own = Profile { contour };
+        let own = Profile {
+            contour,
+            refine: edges
+                .iter()
+                .map(|edge| edge.refine.unwrap_or(1.0))
+                .collect(),
+        };
         // A missing end has been reported, and what follows from it needs no second message.
         if edges[..inner].iter().all(|edge| edge.to.is_some()) {
             own.refuse_defects(table, sizes);
         }
         own
     }
+}
+
+/// The edges of an outline of named curves, of which neighbours with one name are one edge.
+fn joined(mut curves: Vec<(String, Curve)>) -> Vec<Edge> {
+    // An edge may go on beyond where the outline begins.
+    let count = curves.len();
+    let begins = |k: &usize| curves[*k].0 != curves[(*k + count - 1) % count].0;
+    let first = (0..count).find(begins).unwrap_or(0);
+    curves.rotate_left(first);
+    let runs = curves.chunk_by(|(one, _), (other, _)| one == other);
+    let edge = |run: &[(String, Curve)]| Edge {
+        name: Cow::Owned(run[0].0.clone()),
+        curve: Curve::joined(run.iter().map(|(_, curve)| curve)),
+        role: Role::Free,
+        size: None,
+    };
+    runs.map(edge).collect()
 }
 
 fn place(at: &Place) -> Point {
@@ -133,6 +162,8 @@ fn place(at: &Place) -> Point {
 pub struct Profile {
     /// Its edges and holes; the angles of holes are those of a mesh.
     pub contour: Contour,
+    /// By how many times cells along each piece of the outline are smaller than the largest.
+    pub refine: Vec<f64>,
 }
 
 impl Profile {
@@ -236,20 +267,20 @@ impl Outline for Profile {
         };
         let begins = std::iter::once(self.contour.start);
         let begins = begins.chain(self.contour.pieces.iter().map(|piece| piece.to));
-        let edge = |(piece, from): (&Piece, Point)| Edge {
-            name: Cow::Owned(piece.name.clone()),
-            curve: (piece.through)
-                .and_then(|through| Curve::through(from, through, piece.to))
-                .unwrap_or(Curve::Segment {
-                    ends: [from, piece.to],
-                }),
-            role: Role::Free,
-            size: None,
+        let curve = |(piece, from): (&Piece, Point)| {
+            let arc = |through| Curve::through(from, through, piece.to);
+            let line = Curve::Segment {
+                ends: [from, piece.to],
+            };
+            (
+                piece.name.clone(),
+                piece.through.and_then(arc).unwrap_or(line),
+            )
         };
-        let holes = self.contour.holes.iter().map(hole);
-        holes
-            .chain(self.contour.pieces.iter().zip(begins).map(edge))
-            .collect()
+        let pieces = self.contour.pieces.iter().zip(begins).map(curve);
+        let mut edges: Vec<Edge> = self.contour.holes.iter().map(hole).collect();
+        edges.extend(joined(pieces.collect()));
+        edges
     }
 
     fn bounds(&self) -> [Point; 2] {
@@ -291,6 +322,7 @@ impl Outline for Profile {
         let division = stickslip_mesher::Division {
             kind,
             spacing: divided.spacing,
+            refined: self.refine.iter().copied().enumerate().collect(),
             centre: [0, 1].map(|axis| divided.centre[axis] + start[axis]),
             ..stickslip_mesher::Division::default()
         };

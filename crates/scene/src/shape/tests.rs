@@ -108,8 +108,8 @@ fn divided<T>(shape: &Shape, extent: Extent, then: impl Fn(&Divided<'_>) -> T) -
 }
 
 /// How far `at` lies from the curve `[mm]`.
-fn distance(curve: Curve, [x, y]: Point) -> f64 {
-    match curve {
+fn distance(curve: &Curve, [x, y]: Point) -> f64 {
+    match *curve {
         Curve::Chain { .. } => 0.0,
         Curve::Circle {
             centre: [centre_x, centre_y],
@@ -261,7 +261,7 @@ fn edges_and_points_exist_where_the_shape_says() {
             assert!(set.len() > 2, "{name} {}", edge.name);
             assert!(mesh.edge_set(&edge.name).is_ok(), "{name} {}", edge.name);
             for &node in set {
-                let error = distance(edge.curve, nodes[node]);
+                let error = distance(&edge.curve, nodes[node]);
                 assert!(error < EXACT, "{name} {}: {error:e}", edge.name);
             }
         }

@@ -9,6 +9,7 @@ mod half_plane;
 mod halves;
 mod ladder;
 mod mortar;
+mod open;
 mod outline;
 mod remarks;
 mod series;

@@ -114,6 +114,10 @@ fn of_a_contact() -> Vec<Finding> {
             both_ends: false,
             limit: Quantity::Length(12.7),
         },
+        ContactFinding::BeyondFacing {
+            step: 2,
+            at: Quantity::Along(12.7),
+        },
         ContactFinding::BearingPointWanders {
             step: 2,
             at: Quantity::Angle(-0.5),

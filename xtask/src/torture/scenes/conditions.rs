@@ -74,7 +74,7 @@ impl Contact<'_> {
                 let found = wrong(step, row, *place)?;
                 let place = match self.geometry.kind {
                     EdgeKind::Circle { .. } => format!("{:.3}°", place.to_degrees()),
-                    EdgeKind::Line => format!("x = {place:.4} mm"),
+                    EdgeKind::Line | EdgeKind::Path => format!("x = {place:.4} mm"),
                 };
                 Some(format!(
                     "'{}', step {}, {place}: {found}",
@@ -163,7 +163,7 @@ pub(super) fn cone(sample: &Sample) -> Verdict {
         contact.first(sample, |_, row, place| {
             let tangent = match contact.geometry.kind {
                 EdgeKind::Circle { .. } => place + FRAC_PI_2,
-                EdgeKind::Line => 0.0,
+                EdgeKind::Line | EdgeKind::Path => 0.0,
             };
             let (law, pressure) = (&contact.text["friction"], row.pressure.max(0.0));
             let allowed = match bound(law, pressure, tangent - axis, &plies) {

@@ -14,13 +14,15 @@ pub(super) struct EdgeNodes {
     pub(super) kind: EdgeKind,
     pub(super) parameter: Vec<f64>,
     /// Arc length along e_t, and e_n there.
-    path: Vec<(f64, [f64; 2])>,
+    pub(super) path: Vec<(f64, [f64; 2])>,
     /// Centre of its circle or arc.
     pub(super) centre: Option<Point>,
     pub(super) nodes: Vec<usize>,
     pub(super) corner: Vec<bool>,
     pub(super) weights: Vec<f64>,
     pub(super) order: usize,
+    /// Whether the edge goes on beyond its ends, where it faces nothing.
+    pub(super) goes_on: [bool; 2],
 }
 
 pub(super) fn edge_nodes(
@@ -49,6 +51,7 @@ pub(super) fn edge_nodes(
             corner,
             weights,
             order: walk.order,
+            goes_on: [false; 2],
         };
         if !half {
             nodes.start_at_minus_pi();
@@ -74,6 +77,7 @@ pub(super) fn edge_nodes(
             _ => None,
         },
         nodes: path.nodes,
+        goes_on: [false; 2],
     };
     if nodes.parameter.first() > nodes.parameter.last() {
         nodes.parameter.reverse();
@@ -117,7 +121,7 @@ impl EdgeNodes {
     pub(super) fn normal(&self, at: f64) -> [f64; 2] {
         match self.kind {
             EdgeKind::Circle { .. } => [at.cos(), at.sin()],
-            EdgeKind::Line => [0.0, 1.0],
+            EdgeKind::Line | EdgeKind::Path => [0.0, 1.0],
         }
     }
 
@@ -136,7 +140,7 @@ impl EdgeNodes {
         let half = half && aside.is_none();
         let bearing_area = match self.kind {
             EdgeKind::Circle { radius, .. } => Some(2.0 * radius * thickness),
-            EdgeKind::Line => None,
+            EdgeKind::Line | EdgeKind::Path => None,
         };
         ModelEdge {
             geometry: EdgeGeometry {
@@ -163,7 +167,11 @@ impl EdgeNodes {
             normals,
             reactions: Vec::new(),
             pair,
-            fine_to: body.fine_to(),
+            fine_to: match self.kind {
+                EdgeKind::Circle { .. } | EdgeKind::Line => body.fine_to(),
+                EdgeKind::Path => None,
+            },
+            goes_on: self.goes_on,
             tractions: Vec::new(),
         }
     }

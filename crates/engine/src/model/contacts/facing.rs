@@ -42,6 +42,13 @@ impl Tied<'_> {
             return Err(refused(index, "projection", what));
         }
         let edge = first.edge;
+        let Some(shape) = self.geometry.second(edge.centre.unwrap_or_default()) else {
+            let what = format!(
+                "analysis.kinematics = \"deformed-gaps\" is for circles in holes and cylinders on blocks, and contact '{}' is one of other edges; say kinematics = \"small\"",
+                self.contact.name
+            );
+            return Err(refused(index, "first", what));
+        };
         let round = matches!(edge.kind, EdgeKind::Circle { .. });
         let nodes = second.edge.nodes.len();
         // Displacements of series are means over hats, which are about other places than nodes where neighbours are unequally far.
@@ -61,7 +68,7 @@ impl Tied<'_> {
             _ => (second.edge.parameter.clone(), means.cloned()),
         };
         let curve = Curve::new(
-            self.geometry.second(edge.centre.unwrap_or_default()),
+            shape,
             (0..nodes).map(|k| second.local.start + k).collect(),
             angles,
             second.edge.order,

@@ -4,7 +4,8 @@ use stickslip_contact::deformed::CurveShape;
 use stickslip_contact::gap;
 use stickslip_fem_core::mesh::Point;
 
-use crate::model::plan::ContactPlan;
+use super::open::OpenPair;
+use crate::model::plan::{ContactPlan, Plan};
 use stickslip_scene::placement;
 use stickslip_scene::schema::GapKind;
 use stickslip_scene::shape::Touch;
@@ -19,10 +20,11 @@ pub(super) enum Geometry {
     Cylinder {
         radius: f64,
     },
+    Open(OpenPair),
 }
 
 impl Geometry {
-    pub(super) fn of(contact: &ContactPlan<'_>) -> Option<Self> {
+    pub(super) fn of(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<Self> {
         let [first, second] = &contact.sides;
         let touch = first.edge.as_ref()?.touches(second.edge.as_ref()?)?;
         Some(match touch {
@@ -34,12 +36,13 @@ impl Geometry {
                 offset: placement::offset(radii),
             },
             Touch::Cylinder { radius } => Self::Cylinder { radius },
+            Touch::Open => Self::Open(OpenPair::of(plan, contact)?),
         })
     }
 
-    /// The second curve, where the centre of the first one's circle or arc is `centre`.
-    pub(super) fn second(&self, centre: Point) -> CurveShape {
-        match self {
+    /// The second curve, where the centre of the first one's circle or arc is `centre`; `None` of open edges.
+    pub(super) fn second(&self, centre: Point) -> Option<CurveShape> {
+        Some(match self {
             Self::Circles {
                 radius,
                 clearance,
@@ -51,21 +54,23 @@ impl Geometry {
             Self::Cylinder { radius } => CurveShape::Level {
                 level: centre[1] - radius,
             },
-        }
+            Self::Open(_) => return None,
+        })
     }
 
     /// Length `[mm]` of the contact per unit of the parameter, an angle or a length.
     pub(super) fn length(&self) -> f64 {
         match self {
             Self::Circles { radius, .. } => *radius,
-            Self::Cylinder { .. } => 1.0,
+            Self::Cylinder { .. } | Self::Open(_) => 1.0,
         }
     }
 
-    /// Initial gap; `None` for a faceted one.
+    /// Initial gap; `None` for a faceted one. A place of an open edge that faces nothing never touches.
     pub(super) fn gap(&self, kind: GapKind, at: f64) -> Option<f64> {
         match (self, kind) {
             (_, GapKind::Faceted) => None,
+            (Self::Open(pair), _) => Some(pair.gap(at).unwrap_or_else(|| pair.extent())),
             (
                 Self::Circles {
                     radius,

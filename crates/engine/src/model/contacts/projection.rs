@@ -12,7 +12,7 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-use stickslip_contact::mortar::{self, MortarError};
+use stickslip_contact::mortar::{self, MortarError, Projected};
 use stickslip_contact::{
     ContactPoint, EdgeSide, InitialGap, Multipliers, Projection, Stencil, StencilTerm,
 };
@@ -220,7 +220,7 @@ impl Tied<'_> {
         (apart > SAME_PLACE * extent && !self.is_seated).then(|| {
             let shown = match first.kind {
                 EdgeKind::Circle { .. } => format!("{:.3}°", apart.to_degrees()),
-                EdgeKind::Line => self.length.show(apart),
+                EdgeKind::Line | EdgeKind::Path => self.length.show(apart),
             };
             format!("nodes of {upper} and {lower} lie up to {shown} apart")
         })
@@ -228,6 +228,14 @@ impl Tied<'_> {
 
     fn gap(&self, at: f64) -> Option<f64> {
         self.geometry.gap(self.contact.gap, at)
+    }
+
+    /// Unit normal from the second body into the first at the place `at` of `edge`.
+    fn normal(&self, edge: &EdgeNodes, at: f64) -> [f64; 2] {
+        match self.geometry {
+            Geometry::Open(pair) => pair.normal(at),
+            Geometry::Circles { .. } | Geometry::Cylinder { .. } => edge.normal(at),
+        }
     }
 
     fn node_pairs(&self, first: &Side<'_>, second: &Side<'_>) -> Vec<ContactPoint> {
@@ -247,7 +255,7 @@ impl Tied<'_> {
                 .map_or_else(|| self.gap(at), |gaps| Some(gaps[k]))
         };
         let point = |(k, &at): (usize, &f64)| {
-            let normal = edge.normal(at);
+            let normal = self.normal(edge, at);
             let (above, below) = (first.position(k), second.position(k));
             let faceted = normal[0] * (above[0] - below[0]) + normal[1] * (above[1] - below[1]);
             ContactPoint {
@@ -281,7 +289,7 @@ impl Tied<'_> {
             multipliers,
             length: self.geometry.length(),
             thickness: self.thickness,
-            normal: &|at| edge.normal(at),
+            normal: &|at| self.normal(edge, at),
             gap,
             material_angle: self.material_angle,
             symmetry: [self.half, self.half && round],
@@ -293,6 +301,9 @@ impl Tied<'_> {
         let made = project().map_err(|cause| self.refuse(cause.to_string()))?;
         // Rows of results are nodes of the first edge, so each must have its point.
         let (found, nodes) = (made.points.len(), edge.nodes.len());
+        if let (Geometry::Open(pair), true) = (self.geometry, found < nodes) {
+            return Ok(self.completed(made, pair.extent(), first, second));
+        }
         if found != nodes {
             return Err(self.refuse(format!(
                 "{} covers {found} of the {nodes} nodes of {}",
@@ -309,6 +320,34 @@ impl Tied<'_> {
             }
         }
         Ok(points)
+    }
+}
+
+impl Tied<'_> {
+    /// The points of a first edge that the second covers in part: nodes that face nothing never touch.
+    fn completed(
+        &self,
+        made: Projected,
+        never: f64,
+        first: &Side<'_>,
+        second: &Side<'_>,
+    ) -> Vec<ContactPoint> {
+        let edge = first.edge;
+        let mut found: Vec<Option<ContactPoint>> = vec![None; edge.nodes.len()];
+        for (node, point) in made.nodes.into_iter().zip(made.points) {
+            found[node] = Some(point);
+        }
+        let point = |(k, found): (usize, Option<ContactPoint>)| {
+            found.unwrap_or_else(|| ContactPoint {
+                first: (first.local.start + k).into(),
+                second: second.local.start.into(),
+                normal: self.normal(edge, edge.parameter[k]),
+                gap: never,
+                area: edge.weights[k] * self.thickness,
+                material_angle: self.material_angle,
+            })
+        };
+        found.into_iter().enumerate().map(point).collect()
     }
 }
 

@@ -259,7 +259,7 @@ fn circle(plan: &Plan<'_>, index: usize) -> Result<Circle, String> {
         return Err("does not touch along exactly one edge".into());
     };
     let round = (side.edge.as_ref()).filter(|edge| matches!(edge.role, Role::Hole | Role::Rim));
-    let Some(Curve::Circle { centre, radius }) = round.map(|edge| edge.curve) else {
+    let Some(&Curve::Circle { centre, radius }) = round.map(|edge| &edge.curve) else {
         return Err("touches along an edge that is not a closed circle".into());
     };
     Ok(Circle {

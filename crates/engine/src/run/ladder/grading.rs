@@ -42,7 +42,7 @@ impl Domain {
     /// That of a contact edge.
     pub(super) fn of(geometry: &EdgeGeometry) -> Self {
         match (geometry.kind, geometry.half, geometry.parameter.as_slice()) {
-            (EdgeKind::Line, _, &[first, .., last]) => Self::Line([first, last]),
+            (EdgeKind::Line | EdgeKind::Path, _, &[first, .., last]) => Self::Line([first, last]),
             (_, true, _) => Self::HalfCircle,
             (_, false, _) => Self::Circle,
         }

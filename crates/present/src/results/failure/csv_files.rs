@@ -248,7 +248,10 @@ fn ply_rows(
     step: usize,
 ) -> Vec<Vec<String>> {
     let unit = view.stress_unit();
-    let place = if shown.is_circle() { "theta" } else { "x" };
+    let place = match shown.place_symbol() {
+        "φ" | "θ" => "theta",
+        symbol => symbol,
+    };
     let mut heading = vec![format!("{place} [{}]", shown.place_unit())];
     for group in 0..view.failure.plies.len() {
         let name = plain_name(&view.failure.ply_name(group));

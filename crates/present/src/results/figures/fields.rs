@@ -148,6 +148,7 @@ impl<'a> Scene<'a> {
                     reach.map(|x| unit.from_base(x)),
                 )
             }
+            EdgeKind::Path => ([0.0; 2], [f64::INFINITY; 2]),
             EdgeKind::Line => {
                 all_contact(self.edge).map_or(([0.0, 0.0], [f64::INFINITY; 2]), |[start, end]| {
                     let reach = LINE_WINDOW * 0.5 * (end - start);
@@ -172,7 +173,7 @@ impl<'a> Scene<'a> {
         let all = EdgeView::all(self.edge.results()).into_iter();
         let circle = |own: EdgeView<'_>| match own.geometry.kind {
             EdgeKind::Circle { centre, radius } => Some((centre, radius)),
-            EdgeKind::Line => None,
+            EdgeKind::Line | EdgeKind::Path => None,
         };
         let beside = all.filter(|own| {
             let is_own = own.is_same(self.edge);

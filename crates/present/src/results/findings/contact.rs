@@ -37,6 +37,12 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
                 shown(*limit, units)
             )
         }
+        ContactFinding::BeyondFacing { step, at } => format!(
+            "Contact '{name}' reaches {} = {} in load step {step}, where its edges cease to face each other before the first one ends: contact beyond is not found. \
+             Let the second edge go on there, or make it the first.",
+            symbol(*at),
+            shown(*at, units)
+        ),
         ContactFinding::BearingPointWanders {
             step,
             at,
@@ -124,12 +130,13 @@ fn wanders(
     let measured = match places[1] {
         Quantity::Angle(_) => "Angles φ are counted from the latter",
         Quantity::Length(_) => "Places x are counted from x = 0",
+        Quantity::Along(_) => "Places s are counted from the middle of the edge",
     };
     let [at, largest_at] = places.map(|place| {
         let text = format!("{} = {}", symbol(place), shown(place, units));
         match place {
             Quantity::Angle(_) => text.replace('-', "−"),
-            Quantity::Length(_) => text,
+            Quantity::Length(_) | Quantity::Along(_) => text,
         }
     });
     format!(
@@ -176,7 +183,7 @@ fn slip(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
 fn shown(quantity: Quantity, units: DisplayUnits) -> String {
     match quantity {
         Quantity::Angle(angle) => format!("{:.1}°", angle.to_degrees()),
-        Quantity::Length(length) => units.length.show(length),
+        Quantity::Length(length) | Quantity::Along(length) => units.length.show(length),
     }
 }
 
@@ -185,5 +192,6 @@ fn symbol(place: Quantity) -> &'static str {
     match place {
         Quantity::Angle(_) => "θ",
         Quantity::Length(_) => "x",
+        Quantity::Along(_) => "s",
     }
 }

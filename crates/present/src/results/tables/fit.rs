@@ -9,10 +9,10 @@ const DISPENSABLE: [&[&str]; 11] = [
     &["solves"],
     &["±"],
     &["at φ", "at θ"],
-    &["at x"],
+    &["at x", "at s"],
     &["slip+", "slip−", "slip away", "slip towards"],
     &["at φ", "at θ"],
-    &["at x"],
+    &["at x", "at s"],
     &["stick"],
     &["bears at"],
 ];

@@ -1,0 +1,261 @@
+//! Open edges of known curves that may touch: where they face each other, and their gaps.
+//!
+//! Places are arc lengths s along the first edge from its middle. At each the normal n leads into the first body, and the gap is the way along −n to the second edge,
+//!
+//! ```text
+//! g(s) = the least t with x(s) − t n(s) on the second curve, where the second body's own normal opposes n
+//! ```
+//!
+//! A place that this line leaves without the second edge faces nothing.
+
+use std::ops::Range;
+
+use stickslip_fem_core::mesh::{EdgePath, Mesh, Point};
+use stickslip_scene::schema::SetRef;
+use stickslip_scene::shape::Path;
+use stickslip_scene::units::Unit;
+
+use super::edge::EdgeNodes;
+use crate::model::plan::{ContactPlan, Placed, Plan};
+use crate::model::{Meshes, ModelError};
+use crate::results::EdgeKind;
+
+/// Places of a cell at which its gap is tried, beside its ends.
+const SAMPLES: usize = 8;
+/// Overlaps up to this part of the edge's length are rounding.
+const ROUNDING: f64 = 1e-9;
+/// Cosine of the angle between two normals up to which edges do not face each other.
+const ASKEW: f64 = 1e-3;
+
+/// Two open edges where they stand.
+#[derive(Clone, Debug)]
+pub(super) struct OpenPair {
+    first: Path,
+    second: Path,
+}
+
+impl OpenPair {
+    /// The edges of a contact, if the curves of both are known.
+    pub(super) fn of(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<Self> {
+        let [first, second] = &contact.sides;
+        let path = |side: &Placed<'_, SetRef>| {
+            let path = side.edge.as_ref()?.curve.path()?;
+            Some(path.moved(plan.bodies[side.body].centre))
+        };
+        Some(Self {
+            first: path(first)?,
+            second: path(second)?,
+        })
+    }
+
+    /// Length of the first edge `[mm]`, farther than which nothing moves.
+    pub(super) fn extent(&self) -> f64 {
+        self.first.length()
+    }
+
+    /// Unit normal into the first body at the place `at`.
+    pub(super) fn normal(&self, at: f64) -> Point {
+        self.first.left(self.along(at))
+    }
+
+    /// The initial gap at the place `at` `[mm]`; `None` where it faces nothing.
+    pub(super) fn gap(&self, at: f64) -> Option<f64> {
+        let s = self.along(at);
+        let (from, normal) = (self.first.at(s), self.first.left(s));
+        let crossings = self.second.crossings(from, normal.map(|part| -part));
+        let facing = crossings.filter(|&(_, place)| dot(self.second.left(place), normal) < -ASKEW);
+        let ways = facing.map(|(way, _)| way);
+        ways.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
+    /// Arc length from the beginning of the first edge.
+    fn along(&self, at: f64) -> f64 {
+        at + 0.5 * self.first.length()
+    }
+
+    /// The place that a point faces, beyond the ends along the tangents there; what is rounding beside the length is the middle.
+    fn facing(&self, point: Point) -> f64 {
+        let length = self.first.length();
+        let s = self.first.nearest(point);
+        let (foot, tangent) = (self.first.at(s), self.first.tangent(s));
+        let beyond = dot([point[0] - foot[0], point[1] - foot[1]], tangent);
+        let is_end = s <= 0.0 || s >= length;
+        let at = s + if is_end { beyond } else { 0.0 } - 0.5 * length;
+        if at.abs() < ROUNDING * length {
+            0.0
+        } else {
+            at
+        }
+    }
+
+    /// Whether the second edge at a point of it and the first face each other.
+    fn opposes(&self, point: Point) -> bool {
+        let own = self.second.left(self.second.nearest(point));
+        dot(own, self.first.left(self.first.nearest(point))) < -ASKEW
+    }
+
+    /// The least gap in `range`, of [`SAMPLES`] places and its ends; `None` if one of them faces nothing.
+    fn least_gap(&self, [from, to]: [f64; 2]) -> Option<f64> {
+        let at = |k: usize| from + (to - from) * k as f64 / SAMPLES as f64;
+        let gaps: Option<Vec<f64>> = (0..=SAMPLES).map(|k| self.gap(at(k))).collect();
+        Some(gaps?.into_iter().fold(f64::INFINITY, f64::min))
+    }
+
+    /// The nodes of the two edges where these face each other, the first ascending along it, the second by the places that they face; those of a rigid second body do not exist.
+    pub(super) fn nodes(
+        &self,
+        planned: &ContactPlan<'_>,
+        meshes: &Meshes,
+        is_rigid: bool,
+        length: &Unit,
+    ) -> Result<(EdgeNodes, Option<EdgeNodes>), ModelError> {
+        let [first, second] = &planned.sides;
+        let refuse = |what: String| ModelError::Pairing {
+            contact: planned.of.name.clone(),
+            what,
+        };
+        let facing_nothing = || {
+            refuse(format!(
+                "{} and {} do not face each other: lines along the normals of the first meet the second nowhere with the bodies on opposite sides; move one of the bodies, or name \
+                 the edges that touch",
+                planned.of.first, planned.of.second
+            ))
+        };
+        let walk = |side: &Placed<'_, SetRef>| -> Result<(&Mesh, EdgePath), ModelError> {
+            let mesh = &*meshes[&side.body];
+            let path = mesh
+                .edge_path(&side.of.set)
+                .map_err(|cause| ModelError::Mesh {
+                    body: side.of.body.clone(),
+                    cause,
+                })?;
+            Ok((mesh, path))
+        };
+        let (mesh, path) = walk(first)?;
+        let place = |mesh: &Mesh, node: usize| self.facing(mesh.nodes()[node]);
+        let own: Vec<f64> = path.nodes.iter().map(|&node| place(mesh, node)).collect();
+        let (reach, lower) = if is_rigid {
+            ([f64::NEG_INFINITY, f64::INFINITY], None)
+        } else {
+            let (other, walked) = walk(second)?;
+            let walked = walked.reversed();
+            let places: Vec<f64> = walked
+                .nodes
+                .iter()
+                .map(|&node| place(other, node))
+                .collect();
+            let kept = self
+                .second_cells(other, &walked, &places)
+                .ok_or_else(facing_nothing)?;
+            let part = cut(&walked, kept);
+            let lower = self.edge_nodes(other, &part, |node| place(other, node));
+            (
+                [
+                    lower.parameter[0],
+                    lower.parameter[lower.parameter.len() - 1],
+                ],
+                Some(lower),
+            )
+        };
+        let cells = |k: usize| [own[k * path.order], own[(k + 1) * path.order]];
+        let least = |k: usize| {
+            let [from, to] = cells(k);
+            let shared = [from.max(reach[0]), to.min(reach[1])];
+            (shared[0] < shared[1])
+                .then(|| self.least_gap(shared))
+                .flatten()
+        };
+        let gaps: Vec<Option<f64>> = (0..path.edges.len()).map(least).collect();
+        let kept = run_around_least(&gaps).ok_or_else(facing_nothing)?;
+        let least = gaps[kept.clone()]
+            .iter()
+            .flatten()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        if least < -ROUNDING * self.extent() && !planned.of.interference {
+            return Err(refuse(format!(
+                "{} and {} overlap by {}; move one of the bodies, or say interference = true",
+                planned.of.first,
+                planned.of.second,
+                length.show(-least)
+            )));
+        }
+        let goes_on = [kept.start > 0, kept.end < path.edges.len()];
+        let part = cut(&path, kept);
+        let mut upper = self.edge_nodes(mesh, &part, |node| place(mesh, node));
+        upper.goes_on = goes_on;
+        Ok((upper, lower))
+    }
+
+    /// The cells of the second edge that face the first one after another, around the nearest.
+    fn second_cells(&self, mesh: &Mesh, path: &EdgePath, places: &[f64]) -> Option<Range<usize>> {
+        let half = 0.5 * self.first.length();
+        let apart = |k: usize| -> Option<f64> {
+            let nodes = k * path.order..=(k + 1) * path.order;
+            let at = &places[nodes.clone()];
+            let faces = at.windows(2).all(|pair| pair[0] < pair[1])
+                && at[path.order] > -half
+                && at[0] < half
+                && path.nodes[nodes.clone()]
+                    .iter()
+                    .all(|&node| self.opposes(mesh.nodes()[node]));
+            let ways = path.nodes[nodes].iter().map(|&node| {
+                let point = mesh.nodes()[node];
+                let foot = self.first.at(self.first.nearest(point));
+                (point[0] - foot[0]).hypot(point[1] - foot[1])
+            });
+            faces.then(|| ways.fold(f64::INFINITY, f64::min))
+        };
+        let gaps: Vec<Option<f64>> = (0..path.edges.len()).map(apart).collect();
+        run_around_least(&gaps)
+    }
+
+    fn edge_nodes(&self, mesh: &Mesh, path: &EdgePath, place: impl Fn(usize) -> f64) -> EdgeNodes {
+        let parameter: Vec<f64> = path.nodes.iter().map(|&node| place(node)).collect();
+        let along = parameter.iter().map(|&at| (-at, self.normal(at)));
+        EdgeNodes {
+            kind: EdgeKind::Path,
+            path: along.collect(),
+            weights: mesh.edge_weights(path, None),
+            corner: (0..path.nodes.len()).map(|k| k % path.order == 0).collect(),
+            centre: None,
+            goes_on: [false; 2],
+            nodes: path.nodes.clone(),
+            order: path.order,
+            parameter,
+        }
+    }
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// The longest run of known values around the least of them.
+fn run_around_least(values: &[Option<f64>]) -> Option<Range<usize>> {
+    let known = values
+        .iter()
+        .enumerate()
+        .filter_map(|(k, value)| Some((k, (*value)?)));
+    let (least, _) = known.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let before = values[..least]
+        .iter()
+        .rev()
+        .take_while(|value| value.is_some())
+        .count();
+    let after = values[least..]
+        .iter()
+        .take_while(|value| value.is_some())
+        .count();
+    Some(least - before..least + after)
+}
+
+/// The part of an open chain with the edges `kept`.
+fn cut(path: &EdgePath, kept: Range<usize>) -> EdgePath {
+    EdgePath {
+        nodes: path.nodes[kept.start * path.order..=kept.end * path.order].to_vec(),
+        closed: false,
+        edges: path.edges[kept].to_vec(),
+        order: path.order,
+    }
+}

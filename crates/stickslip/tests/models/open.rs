@@ -1,0 +1,192 @@
+//! Open edges in contact: against closed forms, meshes that do not match, the two bodies exchanged, and what is refused.
+
+use std::f64::consts::PI;
+
+use stickslip::model::Model;
+use stickslip::results::{EdgeResults, Results};
+
+use super::{scene, solved};
+
+const PUNCH: &str = include_str!("../../../../scenes/rounded-punch.toml");
+
+/// E* of two like bodies of the scene in plane strain `[MPa]`.
+const MODULUS: f64 = 73_100.0 / (2.0 * (1.0 - 0.33 * 0.33));
+
+/// π − 2φ − sin 2φ.
+fn shape(angle: f64) -> f64 {
+    PI - 2.0 * angle - (2.0 * angle).sin()
+}
+
+/// Pressure of a flat of half-width `flat` with rounded corners that touches to `end` under `force`, at the place x (Ciavarella, Hills & Monno 1998).
+fn pressure(force: f64, [flat, end]: [f64; 2], x: f64) -> f64 {
+    let (inner, at) = ((flat / end).asin(), (x.abs() / end).asin());
+    let ratio = ((at + inner).sin() / (at - inner).sin()).abs().ln() * at.sin();
+    let tangents = ((0.5 * (at + inner)).tan() * (0.5 * (at - inner)).tan())
+        .abs()
+        .ln()
+        * inner.sin();
+    2.0 * force / (PI * end * shape(inner)) * ((PI - 2.0 * inner) * at.cos() + ratio + tangents)
+}
+
+fn close(found: f64, expected: f64, part: f64) {
+    assert!(
+        (found - expected).abs() <= part * expected.abs(),
+        "{found} {expected}: {:.2e}",
+        found / expected - 1.0
+    );
+}
+
+fn edge(results: &Results, step: usize) -> &EdgeResults {
+    &results.steps[step].edges[0]
+}
+
+/// Largest deviation of the pressures from the closed form, as a part of the largest, and that pressure.
+fn deviation(results: &Results, step: usize, exact: impl Fn(f64) -> f64) -> f64 {
+    let places = results.edges[0]
+        .parameter
+        .iter()
+        .zip(&edge(results, step).rows);
+    let largest = places
+        .clone()
+        .map(|(_, row)| row.pressure)
+        .fold(0.0, f64::max);
+    let inside = places.filter(|(at, _)| at.abs() < 1.15);
+    let apart = inside.map(|(&at, row)| (row.pressure - exact(at)).abs());
+    apart.fold(0.0, f64::max) / largest
+}
+
+#[test]
+fn a_rounded_punch_is_that_of_the_closed_form() {
+    let results = solved(PUNCH, &[]);
+    let (force, end) = (73.8556, 1.2);
+    let pressed = edge(&results, 0);
+    close(pressed.contact_half_extent.unwrap(), end, 0.005);
+    let exact = |x: f64| pressure(force, [1.0, end], x);
+    let apart = deviation(&results, 0, exact);
+    assert!(apart < 0.005, "{apart}");
+    // Pushed by half of what friction holds, stick ends where the contact under the force that is left would end.
+    let stick = edge(&results, 1).stick_half_extent.unwrap();
+    close(stick, 1.127_905, 0.005);
+    close(edge(&results, 1).resultant[0], 14.7711, 1e-6);
+    close(edge(&results, 1).resultant[1], force, 1e-6);
+    close(
+        4.0 * force * 50.0 / (MODULUS * end * end),
+        shape((1.0 / end).asin()),
+        1e-4,
+    );
+}
+
+#[test]
+fn the_bodies_can_be_exchanged() {
+    let swapped = [
+        r#"contacts.0.first="block.top""#,
+        r#"contacts.0.second="punch.face""#,
+    ];
+    let [own, other] = [solved(PUNCH, &[]), solved(PUNCH, &swapped)];
+    for step in 0..3 {
+        let [a, b] = [&own, &other].map(|results| edge(results, step));
+        close(
+            a.contact_half_extent.unwrap(),
+            b.contact_half_extent.unwrap(),
+            0.01,
+        );
+        close(a.peak_pressure.unwrap().0, b.peak_pressure.unwrap().0, 0.01);
+        close(a.resultant[1], -b.resultant[1], 1e-6);
+    }
+}
+
+/// Two bodies with `between` of the lower one's edges from (10, 0) to (0, 0), and of the upper one's back.
+fn stacked(lower: &str, upper: &str) -> String {
+    format!(
+        r#"
+version = 1
+materials.metal.isotropic = {{ young = "70 GPa", poisson = 0.3 }}
+[bodies.lower]
+material = "metal"
+thickness = "2 mm"
+shape.outline = {{ start = ["0 mm", "-6 mm"], edges = [{{ name = "bottom", to = ["10 mm", "-6 mm"] }}, {{ name = "right", to = ["10 mm", "0 mm"] }}, {lower}, {{ name = "left" }}] }}
+mesh.spacing = "1.1 mm"
+[bodies.upper]
+material = "metal"
+thickness = "2 mm"
+shape.outline = {{ start = ["0 mm", "6 mm"], edges = [{{ name = "left", to = ["0 mm", "0 mm"] }}, {upper}, {{ name = "right", to = ["10 mm", "6 mm"] }}, {{ name = "top" }}] }}
+mesh.spacing = "1.7 mm"
+[[contacts]]
+first = "upper.face"
+second = "lower.face"
+friction.coulomb.mu = 0
+[[supports]]
+on = "lower.bottom"
+fix = ["y"]
+[[supports]]
+on = "lower.left"
+fix = ["x"]
+[[supports]]
+on = "upper.left"
+fix = ["x"]
+[[loads]]
+on = "upper.top"
+pressure.steps = ["5 MPa"]
+[[loads]]
+on = "upper.right"
+pressure.steps = ["5 MPa"]
+[[loads]]
+on = "lower.right"
+pressure.steps = ["5 MPa"]
+"#
+    )
+}
+
+/// Largest deviation of the pressures from 5 MPa, as a part of it.
+fn uneven(text: &str) -> f64 {
+    let results = solved(text, &[]);
+    let rows = edge(&results, 0).rows.iter();
+    assert!(rows.len() > 8);
+    rows.map(|row| (row.pressure / 5.0 - 1.0).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn meshes_that_do_not_match_carry_uniform_pressure() {
+    let straight = stacked(
+        r#"{ name = "face", to = ["0 mm", "0 mm"] }"#,
+        r#"{ name = "face", to = ["10 mm", "0 mm"] }"#,
+    );
+    assert!(uneven(&straight) < 1e-9, "{}", uneven(&straight));
+    // Along an arc of radius 13 the error is that of the facets of quadratic cells.
+    let round = stacked(
+        r#"{ name = "face", to = ["0 mm", "0 mm"], through = ["5 mm", "1 mm"], refine = 2 }"#,
+        r#"{ name = "face", to = ["10 mm", "0 mm"], through = ["5 mm", "1 mm"], refine = 2 }"#,
+    );
+    assert!(uneven(&round) < 2e-3, "{}", uneven(&round));
+}
+
+#[test]
+fn edges_that_overlap_or_look_away_are_refused() {
+    let refused = |overrides: &[&str]| {
+        Model::build(&scene(PUNCH, overrides))
+            .unwrap_err()
+            .to_string()
+    };
+    let lower = r#"bodies.block.shape.outline.edges.1.to=["41 mm", "0.1 mm"]"#;
+    let raised: Vec<String> = (1..=4)
+        .map(|k| {
+            let x = ["", "41", "1.6", "-1.6", "-41"][k];
+            format!(r#"bodies.block.shape.outline.edges.{k}.to=["{x} mm", "0.1 mm"]"#)
+        })
+        .collect();
+    let raised: Vec<&str> = raised.iter().map(String::as_str).collect();
+    assert_eq!(raised[0], lower);
+    let message = refused(&raised);
+    assert!(
+        message.contains("overlap by 0.1 mm") && message.contains("interference = true"),
+        "{message}"
+    );
+    let message = refused(&[
+        r#"contacts.0.second="block.bottom""#,
+        "supports.0.on=block.left",
+    ]);
+    assert!(message.contains("do not face each other"), "{message}");
+    let message = refused(&["analysis.kinematics=deformed-gaps"]);
+    assert!(message.contains("deformed-gaps"), "{message}");
+}
