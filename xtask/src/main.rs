@@ -3,7 +3,7 @@
 //! `cargo xtask shear-sign` which way friction points along a loaded hole, `cargo xtask mesh-dependence` what ply discount makes of a
 //! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements, `cargo xtask
 //! closed-loop` how often friction from fringe pictures lies in its interval, `cargo xtask torture` what random cases break,
-//! `cargo xtask size` how long the code is, `cargo xtask docs` writes the tables of keys, `cargo xtask same-answers` whether results are those of an
+//! `cargo xtask size` how long the code is, `cargo xtask docs` writes the tables of keys, `cargo xtask gallery` pictures of shipped scenes, `cargo xtask same-answers` whether results are those of an
 //! earlier revision, `cargo xtask wasm` whether a WebAssembly runtime finds the same numbers.
 
 mod accuracy;
@@ -11,6 +11,7 @@ mod chart;
 mod closed_loop;
 mod cosine;
 mod docs;
+mod gallery;
 mod hybrid_noise;
 mod mesh_dependence;
 mod publish;
@@ -60,6 +61,8 @@ enum Task {
     SameAnswers(same_answers::Options),
     /// Writes the tables of keys in the documents.
     Docs(docs::Options),
+    /// Runs shipped scenes and shows them in docs/gallery.
+    Gallery(gallery::Options),
     /// Counts lines of code of every crate; fails if a bound is exceeded.
     Size,
     /// Tries random cases, and checks them by what holds whatever the answer is; fails if a check does.
@@ -92,6 +95,7 @@ fn main() -> ExitCode {
         Task::MeshDependence(options) => mesh_dependence::STUDY.main(&options),
         Task::SameAnswers(options) => same_answers::main(&options),
         Task::Docs(options) => docs::main(&options),
+        Task::Gallery(options) => gallery::main(&options),
         Task::Size => size::main(),
         Task::Torture(options) => torture::main(&options),
         Task::Wasm => wasm::main(),

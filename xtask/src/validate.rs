@@ -28,6 +28,7 @@ mod persson;
 mod pins;
 mod ply_states;
 mod press_fit;
+mod punch;
 mod region_cost;
 mod render;
 mod rigid_pin;
@@ -68,7 +69,7 @@ pub(crate) struct Options {
 type Checker = fn(&Laboratory) -> Result<Vec<Check>, TaskError>;
 
 /// What makes the checks of each case, in the order of `cases.toml`.
-const CHECKERS: [(&str, Checker); 26] = [
+const CHECKERS: [(&str, Checker); 27] = [
     ("elements", elements::checks),
     ("open-hole", open_hole::checks),
     ("cosine-load", cosine_load::checks),
@@ -84,6 +85,7 @@ const CHECKERS: [(&str, Checker); 26] = [
     ("hertz", line_contact::hertz),
     ("cattaneo", line_contact::cattaneo),
     ("half-planes", half_planes::checks),
+    ("punch", punch::checks),
     ("rigid-pin-frictionless", rigid_pin::frictionless),
     ("rigid-pin-friction", rigid_pin::frictional),
     ("pin-orthotropic", pins::orthotropic),

@@ -82,6 +82,26 @@ impl Mesh {
         Self::new(parts)
     }
 
+    /// The same mesh turned about the origin, so that what lay along x lies along the unit vector `direction`.
+    ///
+    /// # Errors
+    /// As [`Mesh::new`], for coordinates that become infinite.
+    pub fn turned(self, direction: Point) -> Result<Self, MeshError> {
+        let mut parts = self.parts;
+        let [cos, sin] = direction;
+        let turn = |point: &mut Point| {
+            let [x, y] = *point;
+            *point = [cos * x - sin * y, sin * x + cos * y];
+        };
+        parts.nodes.iter_mut().for_each(turn);
+        for set in parts.edge_sets.values_mut() {
+            if let Some(Curve::Arc { centre, .. }) = &mut set.curve {
+                turn(centre);
+            }
+        }
+        Self::new(parts)
+    }
+
     /// Node coordinates `[length]`.
     pub fn nodes(&self) -> &[Point] {
         &self.parts.nodes

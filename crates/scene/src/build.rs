@@ -70,6 +70,7 @@ pub(super) fn build(
     builder.body_meshes(&format, &mesh);
     builder.models(&format);
     let contacts = builder.contacts(&mut format, &materials);
+    builder.stand_once(&contacts);
     let supports = builder.supports(&format);
     let platens = builder.platens(&format, &contacts);
     let loads = builder.loads(&format, &materials, base);

@@ -135,6 +135,8 @@ pub(super) struct BodyFormat {
     pub(super) rigid: bool,
     pub(super) thickness: Option<Quantity<Length>>,
     pub(super) shape: ShapeFormat,
+    pub(super) position: Option<[Quantity<Length>; 2]>,
+    pub(super) angle: Option<Quantity<Angle>>,
     #[serde(default, skip_serializing_if = "BodyModel::is_auto")]
     pub(super) model: BodyModel,
     pub(super) mesh: Option<MeshFormat>,

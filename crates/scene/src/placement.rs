@@ -4,7 +4,7 @@
 //! centre(second) = centre(first) + c_first − c_second + (max(R_first − R_second, 0), 0)
 //! ```
 //!
-//! c are the centres of the circles, each seen from that of its body. A body that no hole holds is centred on the origin. One with clearance starts where it touches at θ = 0, one with
+//! c are the centres of the circles, each seen from that of its body. A body that no hole holds stands at its own position. One with clearance starts where it touches at θ = 0, one with
 //! interference concentric with what holds it.
 
 use stickslip_fem_core::mesh::Point;
@@ -46,7 +46,11 @@ pub fn centre(scene: &Scene, body: &str) -> Point {
         sum = [0, 1].map(|axis| sum[axis] + (hole[axis] - own[axis] + aside[axis]));
         inner = &contact.first.body;
     }
-    sum
+    let position = scene
+        .bodies
+        .get(inner)
+        .map_or([0.0; 2], |body| body.position);
+    [0, 1].map(|axis| sum[axis] + position[axis])
 }
 
 /// Centre of the closed circle `edge` of `body` `[mm]`.

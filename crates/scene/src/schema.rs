@@ -14,7 +14,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
-use stickslip_fem_core::mesh::ElementKind;
+use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_friction::FrictionLaw;
 use stickslip_text::short;
 
@@ -45,6 +45,8 @@ pub struct Body {
     pub substance: Substance,
     /// Its outline.
     pub shape: Shape,
+    /// Where the origin of its coordinates stands, unless a contact puts it into a hole `[mm]`.
+    pub position: Point,
     /// How its compliance is found.
     pub model: BodyModel,
     /// How finely it is divided where it differs from [`Scene::mesh`](super::Scene::mesh); whole, with what it takes from there.

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use stickslip_fem_core::material::{MaterialError, OrthotropicConstants, OutOfPlane, PlaneState};
+use stickslip_fem_core::mesh::Point;
 use stickslip_laminate::Ply;
 
 use super::{Builder, Materials};
@@ -12,9 +13,9 @@ use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
 use crate::format::{BodyFormat, IsotropicFormat, MaterialFormat, OrthotropicFormat, SceneFormat};
 use crate::limits::Content;
-use crate::schema::{Body, Material, Substance};
-use crate::shape::Sizes;
-use crate::units::{Length, PerTemperature, Quantity};
+use crate::schema::{Body, Contact, Material, SetRef, Substance};
+use crate::shape::{Shape, Sizes};
+use crate::units::{Angle, Length, PerTemperature, Quantity};
 
 fn expansion(given: Option<&Quantity<PerTemperature>>) -> f64 {
     given.map_or(0.0, Quantity::value)
@@ -154,19 +155,81 @@ impl Builder<'_> {
                 rigid,
                 thickness,
                 shape,
+                position,
+                angle,
                 model,
                 mesh: _,
             } = body;
             let material = material.as_ref().filter(|_| !rigid);
             let substance = self.substance(&table, material, thickness.as_ref(), materials);
             let shape = shape.read(&child(&table, "shape"), self);
+            let shape = self.turned(&table, shape, angle.as_ref());
+            let position = self.position(&table, &shape, position.as_ref());
             let body = Body {
                 substance,
                 shape,
+                position,
                 model: *model,
                 mesh: None,
             };
             self.bodies.insert(name.clone(), body);
+        }
+    }
+
+    /// `shape` turned by `angle`, which only shapes without an axis can be.
+    fn turned(&mut self, table: &str, shape: Shape, angle: Option<&Quantity<Angle>>) -> Shape {
+        let Some(angle) = angle.filter(|angle| angle.value() != 0.0) else {
+            return shape;
+        };
+        shape.turned(angle.value()).unwrap_or_else(|| {
+            let message = format!("a {} is not turned", shape.name());
+            let remedy = "leave out `angle`, or draw the body as shape.outline";
+            self.conflict(&child(table, "angle"), message, remedy);
+            shape
+        })
+    }
+
+    /// Where the origin of a body stands.
+    fn position(
+        &mut self,
+        table: &str,
+        shape: &Shape,
+        given: Option<&[Quantity<Length>; 2]>,
+    ) -> Point {
+        let at = given.map_or([0.0; 2], |given| [given[0].value(), given[1].value()]);
+        if at != [0.0; 2] && shape.mirror().is_some() {
+            let message = format!("a {} stands at the origin or in a hole", shape.name());
+            let remedy = "leave out `position`, or draw the body as shape.outline";
+            self.conflict(&child(table, "position"), message, remedy);
+            return [0.0; 2];
+        }
+        at
+    }
+
+    /// Refuses positions of bodies that a contact puts into a hole.
+    pub(super) fn stand_once(&mut self, contacts: &[Contact]) {
+        let circle = |bodies: &BTreeMap<String, Body>, set: &SetRef| {
+            bodies
+                .get(&set.body)
+                .is_some_and(|body| body.shape.circle(&set.set).is_some())
+        };
+        for contact in contacts {
+            let is_round = [&contact.first, &contact.second]
+                .iter()
+                .all(|set| circle(&self.bodies, set));
+            let inner = &contact.second.body;
+            let is_placed = self
+                .bodies
+                .get(inner)
+                .is_some_and(|body| body.position != [0.0; 2]);
+            if is_round && is_placed {
+                let message = format!(
+                    "contact '{}' puts '{inner}' into {}",
+                    contact.name, contact.first
+                );
+                let remedy = "leave out `position`";
+                self.conflict(&format!("bodies.{inner}.position"), message, remedy);
+            }
         }
     }
 

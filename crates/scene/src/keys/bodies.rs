@@ -4,8 +4,8 @@ use stickslip_fem_core::mesh::ElementKind;
 
 use super::quoted;
 use crate::declaration::{
-    Key, NONE, POSITIVE, REQUIRED, Range, Table, angles, flag, integer, length, names, numbers,
-    spacing, table, table_as, with_default, words,
+    Key, NONE, POSITIVE, REQUIRED, Range, Table, angle, angles, flag, integer, length, names,
+    numbers, spacing, table, table_as, with_default, words,
 };
 
 /// `[mesh]`.
@@ -43,6 +43,10 @@ pub(super) const TABLES: &[Table] = &[
             "thickness; also in plane strain, where forces are those on this length; one that contradicts the laminate is \
             refused").range(POSITIVE),
         table_as("shape", REQUIRED, r#".disk = { radius = "5 mm" }"#, "outline"),
+        words("position", "two lengths", r#"`["0 mm", "0 mm"]`"#, r#"["60 mm", "0 mm"]"#,
+            "where the origin of its coordinates stands; of an outline, a mesh or a rectangle that no contact puts into a hole"),
+        angle("angle", r#"`"0 deg"`"#, r#""30 deg""#,
+            "by which an outline or a mesh is turned about that origin, counter-clockwise; materials keep their own angles"),
         words("model", r#"`"auto"`, `"series"`, `"half-plane"`, `"elements"`"#, r#"`"auto"`"#, r#""series""#,
             "how its compliance is found: by series about its contact circle, which needs no mesh, as the half-plane that a block or a \
             cylinder stands for, or by finite elements; auto takes series where the scene gives no mesh and they can hold the body; not of a \

@@ -9,7 +9,7 @@ use std::path::{Component, Path};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
-use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate};
+use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate, unit_vector};
 use stickslip_fem_core::mesh::{self, EdgePath, ElementKind, Mesh, Point};
 use stickslip_mesh_files::{Coincident, Format, Imported, read_with, recognise_set, snap};
 
@@ -57,6 +57,7 @@ impl Keys {
             edges: Vec::new(),
             points: Vec::new(),
             notes: Vec::new(),
+            turn: 0.0,
         }
     }
 
@@ -139,6 +140,8 @@ pub struct GivenMesh {
     points: Vec<(String, Point)>,
     /// What of the file was passed over or changed.
     pub notes: Vec<String>,
+    /// By what it is turned from where the file has it `[rad]`.
+    turn: f64,
 }
 
 impl fmt::Debug for GivenMesh {
@@ -146,13 +149,32 @@ impl fmt::Debug for GivenMesh {
         let nodes = self.mesh.as_ref().map_or(0, |mesh| mesh.nodes().len());
         write!(
             formatter,
-            "GivenMesh({}, {nodes} nodes, {})",
-            self.file, self.digest
+            "GivenMesh({}, {nodes} nodes, {}, turned by {})",
+            self.file, self.digest, self.turn
         )
     }
 }
 
 impl GivenMesh {
+    /// The same body turned by `angle` `[rad]` about the origin of the file.
+    pub(super) fn turned(&self, angle: f64) -> Self {
+        let mesh = self.mesh.as_deref().cloned();
+        let [cos, sin] = unit_vector(angle);
+        let Some(mesh) = mesh.and_then(|mesh| mesh.turned([cos, sin]).ok()) else {
+            return self.clone();
+        };
+        let point = |(name, [x, y]): &(String, Point)| {
+            (name.clone(), [cos * x - sin * y, sin * x + cos * y])
+        };
+        Self {
+            edges: edges(&mesh, self.edges.iter().map(|edge| edge.name.as_ref())),
+            points: self.points.iter().map(point).collect(),
+            mesh: Some(Arc::new(mesh)),
+            turn: self.turn + angle,
+            ..self.clone()
+        }
+    }
+
     fn new(file: &str, digest: String, own: Imported, scale: f64) -> Result<Self, String> {
         let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
         let mut parts = own.parts;
@@ -184,11 +206,7 @@ impl GivenMesh {
         let points = points.collect();
         // Supports hold the nodes of an edge by its name.
         let plain = Mesh::new(parts).map_err(|cause| cause.to_string())?;
-        let paths = names.iter().map(|name| (name, plain.edge_path(name).ok()));
-        let paths: Vec<(&String, Option<EdgePath>)> = paths.collect();
-        let edges = (paths.iter())
-            .map(|(name, path)| edge(&plain, name, path.as_ref()))
-            .collect();
+        let edges = edges(&plain, names.iter().map(String::as_str));
         let mut sets = Vec::new();
         for name in &names {
             let set = plain.edge_set(name).map_err(|cause| cause.to_string())?;
@@ -209,8 +227,15 @@ impl GivenMesh {
             edges,
             points,
             notes,
+            turn: 0.0,
         })
     }
+}
+
+/// The edges of the sets `names`.
+fn edges<'a>(mesh: &Mesh, names: impl Iterator<Item = &'a str>) -> Vec<Edge> {
+    let edge = |name: &str| edge(mesh, name, mesh.edge_path(name).ok().as_ref());
+    names.map(edge).collect()
 }
 
 /// The edge of the set `name`, whose edges form the chain `path` if they form one.

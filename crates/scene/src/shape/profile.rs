@@ -14,7 +14,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use stickslip_fem_core::generate::{Extent, uniform_angles};
+use stickslip_fem_core::generate::{Extent, uniform_angles, unit_vector};
 use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
 
@@ -167,6 +167,16 @@ pub struct Profile {
 }
 
 impl Profile {
+    /// The same body turned by `angle` `[rad]` about the origin.
+    pub(super) fn turned(&self, angle: f64) -> Self {
+        let [cos, sin] = unit_vector(angle);
+        let turn = |[x, y]: Point| [cos * x - sin * y, sin * x + cos * y];
+        Self {
+            contour: placed(&self.contour, turn),
+            refine: self.refine.clone(),
+        }
+    }
+
     /// Reports what does not bound a body, or bounds it by two edges of one name.
     fn refuse_defects(&self, table: &str, sizes: &mut dyn Sizes) {
         let names = self.edges().into_iter().map(|edge| edge.name);
@@ -214,17 +224,16 @@ impl Profile {
     }
 }
 
-/// The same body somewhere else.
-fn moved(contour: &Contour, by: Point) -> Contour {
-    let shifted = |at: Point| [at[0] + by[0], at[1] + by[1]];
+/// The same body with its points where `place` puts them.
+fn placed(contour: &Contour, place: impl Fn(Point) -> Point) -> Contour {
     let mut own = contour.clone();
-    own.start = shifted(own.start);
+    own.start = place(own.start);
     for piece in &mut own.pieces {
-        piece.to = shifted(piece.to);
-        piece.through = piece.through.map(shifted);
+        piece.to = place(piece.to);
+        piece.through = piece.through.map(&place);
     }
     for hole in &mut own.holes {
-        hole.centre = shifted(hole.centre);
+        hole.centre = place(hole.centre);
     }
     own
 }
@@ -314,7 +323,7 @@ impl Outline for Profile {
         })?;
         // About its start, so that triangles do not hang on where the body stands.
         let start = self.contour.start;
-        let mut contour = moved(&self.contour, start.map(|x| -x));
+        let mut contour = placed(&self.contour, |at| [at[0] - start[0], at[1] - start[1]]);
         for hole in &mut contour.holes {
             hole.angles = divided.angles.to_vec();
             hole.layers = divided.layers;

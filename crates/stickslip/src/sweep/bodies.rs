@@ -14,6 +14,7 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     let Body {
         substance,
         shape,
+        position,
         model: _,
         mesh: _,
     } = scene.bodies.get(name)?;
@@ -48,7 +49,7 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     let _ = if shape.is_similar() && size_does_not_matter(scene, name) {
         write!(text, " {}", shape.name())
     } else {
-        write!(text, " {shape:?} {:?}", holders(scene, name))
+        write!(text, " {shape:?} {position:?} {:?}", holders(scene, name))
     };
     for support in scene
         .supports
