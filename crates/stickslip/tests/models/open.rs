@@ -209,8 +209,16 @@ fn bodies_stand_and_are_turned_as_their_tables_say() {
     for (other, tolerance) in [(&far, 1e-9), (&turned, 1e-9)] {
         for step in 0..2 {
             let [a, b] = [&still, other].map(|results| edge(results, step));
-            close(b.peak_pressure.unwrap().0, a.peak_pressure.unwrap().0, tolerance);
-            close(b.contact_half_extent.unwrap(), a.contact_half_extent.unwrap(), tolerance);
+            close(
+                b.peak_pressure.unwrap().0,
+                a.peak_pressure.unwrap().0,
+                tolerance,
+            );
+            close(
+                b.contact_half_extent.unwrap(),
+                a.contact_half_extent.unwrap(),
+                tolerance,
+            );
         }
     }
     close(edge(&turned, 0).resultant[0], -1000.0, 1e-9);
@@ -218,7 +226,10 @@ fn bodies_stand_and_are_turned_as_their_tables_say() {
 
 #[test]
 fn a_rigid_punch_presses_as_a_stiff_one() {
-    let text = nose("").replace("[bodies.nose]\nmaterial = \"metal\"\nthickness = \"1 mm\"", "[bodies.nose]\nrigid = true");
+    let text = nose("").replace(
+        "[bodies.nose]\nmaterial = \"metal\"\nthickness = \"1 mm\"",
+        "[bodies.nose]\nrigid = true",
+    );
     let swapped = [
         r#"contacts.0.first="block.face""#,
         r#"contacts.0.second="nose.face""#,
@@ -232,6 +243,10 @@ fn a_rigid_punch_presses_as_a_stiff_one() {
     );
     let [a, b] = [&rigid, &stiff].map(|results| edge(results, 0));
     close(a.peak_pressure.unwrap().0, b.peak_pressure.unwrap().0, 0.02);
-    close(a.contact_half_extent.unwrap(), b.contact_half_extent.unwrap(), 0.05);
+    close(
+        a.contact_half_extent.unwrap(),
+        b.contact_half_extent.unwrap(),
+        0.05,
+    );
     close(a.resultant[1], -1000.0, 1e-9);
 }

@@ -102,6 +102,9 @@ impl OpenPair {
     }
 
     /// The nodes of the two edges where these face each other, the first ascending along it, the second by the places that they face; those of a rigid second body do not exist.
+    ///
+    /// # Errors
+    /// [`ModelError::Pairing`] where they face each other nowhere, or overlap without being meant to.
     pub(super) fn nodes(
         &self,
         planned: &ContactPlan<'_>,
@@ -109,121 +112,150 @@ impl OpenPair {
         is_rigid: bool,
         length: &Unit,
     ) -> Result<(EdgeNodes, Option<EdgeNodes>), ModelError> {
-        let [first, second] = &planned.sides;
-        let refuse = |what: String| ModelError::Pairing {
-            contact: planned.of.name.clone(),
+        let ContactPlan { of: contact, sides } = planned;
+        let [first, second] = [&contact.first, &contact.second];
+        let refused = |what: String| ModelError::Pairing {
+            contact: contact.name.clone(),
             what,
         };
         let facing_nothing = || {
-            refuse(format!(
-                "{} and {} do not face each other: lines along the normals of the first meet the second nowhere with the bodies on opposite sides; move one of the bodies, or name \
-                 the edges that touch",
-                planned.of.first, planned.of.second
+            refused(format!(
+                "{first} and {second} do not face each other: lines along the normals of the first meet the second nowhere with the bodies on opposite sides; move one of the \
+                 bodies, or name the edges that touch"
             ))
         };
-        let walk = |side: &Placed<'_, SetRef>| -> Result<(&Mesh, EdgePath), ModelError> {
-            let mesh = &*meshes[&side.body];
-            let path = mesh
-                .edge_path(&side.of.set)
-                .map_err(|cause| ModelError::Mesh {
-                    body: side.of.body.clone(),
-                    cause,
-                })?;
-            Ok((mesh, path))
-        };
-        let (mesh, path) = walk(first)?;
-        let place = |mesh: &Mesh, node: usize| self.facing(mesh.nodes()[node]);
-        let own: Vec<f64> = path.nodes.iter().map(|&node| place(mesh, node)).collect();
-        let (reach, lower) = if is_rigid {
-            ([f64::NEG_INFINITY, f64::INFINITY], None)
+        let lower = if is_rigid {
+            None
         } else {
-            let (other, walked) = walk(second)?;
-            let walked = walked.reversed();
-            let places: Vec<f64> = walked
-                .nodes
-                .iter()
-                .map(|&node| place(other, node))
-                .collect();
-            let kept = self
-                .second_cells(other, &walked, &places)
-                .ok_or_else(facing_nothing)?;
-            let part = cut(&walked, kept);
-            let lower = self.edge_nodes(other, &part, |node| place(other, node));
-            (
-                [
-                    lower.parameter[0],
-                    lower.parameter[lower.parameter.len() - 1],
-                ],
-                Some(lower),
-            )
+            let walked = self.walk(&sides[1], meshes)?.reversed();
+            let kept = self.facing_cells(&walked).ok_or_else(facing_nothing)?;
+            Some(self.edge_nodes(&walked, kept))
         };
-        let cells = |k: usize| [own[k * path.order], own[(k + 1) * path.order]];
-        let least = |k: usize| {
-            let [from, to] = cells(k);
-            let shared = [from.max(reach[0]), to.min(reach[1])];
-            (shared[0] < shared[1])
-                .then(|| self.least_gap(shared))
-                .flatten()
-        };
-        let gaps: Vec<Option<f64>> = (0..path.edges.len()).map(least).collect();
+        let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
+        let reach = lower.as_ref().map_or(everywhere, |lower| {
+            let places = &lower.parameter;
+            [places[0], places[places.len() - 1]]
+        });
+        let walked = self.walk(&sides[0], meshes)?;
+        let gaps = self.gaps(&walked, reach);
         let kept = run_around_least(&gaps).ok_or_else(facing_nothing)?;
         let least = gaps[kept.clone()]
             .iter()
             .flatten()
             .copied()
             .fold(f64::INFINITY, f64::min);
-        if least < -ROUNDING * self.extent() && !planned.of.interference {
-            return Err(refuse(format!(
-                "{} and {} overlap by {}; move one of the bodies, or say interference = true",
-                planned.of.first,
-                planned.of.second,
-                length.show(-least)
+        if least < -ROUNDING * self.extent() && !contact.interference {
+            let overlap = length.show(-least);
+            return Err(refused(format!(
+                "{first} and {second} overlap by {overlap}; move one of the bodies, or say interference = true"
             )));
         }
-        let goes_on = [kept.start > 0, kept.end < path.edges.len()];
-        let part = cut(&path, kept);
-        let mut upper = self.edge_nodes(mesh, &part, |node| place(mesh, node));
-        upper.goes_on = goes_on;
+        let goes_on = [kept.start > 0, kept.end < gaps.len()];
+        let upper = EdgeNodes {
+            goes_on,
+            ..self.edge_nodes(&walked, kept)
+        };
         Ok((upper, lower))
     }
 
+    /// The nodes of an edge with the places that they face.
+    fn walk<'m>(
+        &self,
+        side: &Placed<'_, SetRef>,
+        meshes: &'m Meshes,
+    ) -> Result<Walked<'m>, ModelError> {
+        let mesh = &*meshes[&side.body];
+        let path = mesh
+            .edge_path(&side.of.set)
+            .map_err(|cause| ModelError::Mesh {
+                body: side.of.body.clone(),
+                cause,
+            })?;
+        let places = path
+            .nodes
+            .iter()
+            .map(|&node| self.facing(mesh.nodes()[node]));
+        Ok(Walked {
+            mesh,
+            places: places.collect(),
+            path,
+        })
+    }
+
+    /// The least gap of every cell of the first edge within `reach`; `None` where it faces nothing.
+    fn gaps(&self, walked: &Walked<'_>, [from, to]: [f64; 2]) -> Vec<Option<f64>> {
+        let Walked { path, places, .. } = walked;
+        let least = |cell: usize| {
+            let ends = [cell, cell + 1].map(|corner| places[corner * path.order]);
+            let shared = [ends[0].max(from), ends[1].min(to)];
+            (shared[0] < shared[1])
+                .then(|| self.least_gap(shared))
+                .flatten()
+        };
+        (0..path.edges.len()).map(least).collect()
+    }
+
     /// The cells of the second edge that face the first one after another, around the nearest.
-    fn second_cells(&self, mesh: &Mesh, path: &EdgePath, places: &[f64]) -> Option<Range<usize>> {
-        let half = 0.5 * self.first.length();
-        let apart = |k: usize| -> Option<f64> {
-            let nodes = k * path.order..=(k + 1) * path.order;
-            let at = &places[nodes.clone()];
+    fn facing_cells(&self, walked: &Walked<'_>) -> Option<Range<usize>> {
+        let Walked { mesh, path, places } = walked;
+        let half = 0.5 * self.extent();
+        let distance = |cell: usize| -> Option<f64> {
+            let nodes = cell * path.order..=(cell + 1) * path.order;
+            let (at, own) = (&places[nodes.clone()], &path.nodes[nodes]);
+            let points = || own.iter().map(|&node| mesh.nodes()[node]);
             let faces = at.windows(2).all(|pair| pair[0] < pair[1])
                 && at[path.order] > -half
                 && at[0] < half
-                && path.nodes[nodes.clone()]
-                    .iter()
-                    .all(|&node| self.opposes(mesh.nodes()[node]));
-            let ways = path.nodes[nodes].iter().map(|&node| {
-                let point = mesh.nodes()[node];
+                && points().all(|point| self.opposes(point));
+            let away = points().map(|point| {
                 let foot = self.first.at(self.first.nearest(point));
                 (point[0] - foot[0]).hypot(point[1] - foot[1])
             });
-            faces.then(|| ways.fold(f64::INFINITY, f64::min))
+            faces.then(|| away.fold(f64::INFINITY, f64::min))
         };
-        let gaps: Vec<Option<f64>> = (0..path.edges.len()).map(apart).collect();
-        run_around_least(&gaps)
+        let distances: Vec<Option<f64>> = (0..path.edges.len()).map(distance).collect();
+        run_around_least(&distances)
     }
 
-    fn edge_nodes(&self, mesh: &Mesh, path: &EdgePath, place: impl Fn(usize) -> f64) -> EdgeNodes {
-        let parameter: Vec<f64> = path.nodes.iter().map(|&node| place(node)).collect();
+    /// The part of an edge with the cells `kept`.
+    fn edge_nodes(&self, walked: &Walked<'_>, kept: Range<usize>) -> EdgeNodes {
+        let order = walked.path.order;
+        let nodes = kept.start * order..=kept.end * order;
+        let path = EdgePath {
+            nodes: walked.path.nodes[nodes.clone()].to_vec(),
+            closed: false,
+            edges: walked.path.edges[kept].to_vec(),
+            order,
+        };
+        let parameter = walked.places[nodes].to_vec();
         let along = parameter.iter().map(|&at| (-at, self.normal(at)));
         EdgeNodes {
             kind: EdgeKind::Path,
             path: along.collect(),
-            weights: mesh.edge_weights(path, None),
-            corner: (0..path.nodes.len()).map(|k| k % path.order == 0).collect(),
+            weights: walked.mesh.edge_weights(&path, None),
+            corner: (0..path.nodes.len()).map(|k| k % order == 0).collect(),
             centre: None,
             goes_on: [false; 2],
-            nodes: path.nodes.clone(),
-            order: path.order,
+            nodes: path.nodes,
+            order,
             parameter,
         }
+    }
+}
+
+/// An open edge of a mesh, and the places of the first edge that its nodes face.
+struct Walked<'m> {
+    mesh: &'m Mesh,
+    path: EdgePath,
+    places: Vec<f64>,
+}
+
+impl Walked<'_> {
+    /// The same edge walked the other way.
+    fn reversed(mut self) -> Self {
+        self.path = self.path.reversed();
+        self.places.reverse();
+        self
     }
 }
 
@@ -248,14 +280,4 @@ fn run_around_least(values: &[Option<f64>]) -> Option<Range<usize>> {
         .take_while(|value| value.is_some())
         .count();
     Some(least - before..least + after)
-}
-
-/// The part of an open chain with the edges `kept`.
-fn cut(path: &EdgePath, kept: Range<usize>) -> EdgePath {
-    EdgePath {
-        nodes: path.nodes[kept.start * path.order..=kept.end * path.order].to_vec(),
-        closed: false,
-        edges: path.edges[kept].to_vec(),
-        order: path.order,
-    }
 }
