@@ -32,7 +32,7 @@ use crate::results::{Choice, EdgeGeometry, Finding};
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
-use stickslip_scene::placement::offset;
+use stickslip_scene::placement::{self, offset};
 use stickslip_scene::schema::KinematicsChoice;
 
 pub use load_table::LoadTable;
@@ -263,6 +263,9 @@ pub struct ModelContact {
 pub struct Model {
     /// The machine that its scene was read on; its clock times the run.
     pub host: Host,
+    /// Where the origin of all its coordinates lies in those of the scene `[mm]`: in the middle of bodies that may stand anywhere, so that rounding is relative
+    /// to their size.
+    pub origin: Point,
     /// Bodies in the order of their names.
     pub bodies: Vec<ModelBody>,
     /// Contact pairs.
@@ -301,6 +304,7 @@ impl Model {
         known: Option<&Self>,
         seats: &[Option<Seat>],
     ) -> Result<Self, ModelError> {
+        let (scene, origin) = &placement::centred(scene);
         let mut plan = Plan::of(scene);
         plan.seat(seats);
         limits::check(&plan)?;
@@ -309,7 +313,10 @@ impl Model {
         series::choose(&mut plan, scene, known, half, &mut choices)?;
         let meshes = meshes::build(&plan, scene.limits(), half, &mut choices)?;
         let materials = materials(scene)?;
-        let contacts = contacts::build(&plan, scene.display, &meshes, half, &mut choices)?;
+        let mut contacts = contacts::build(&plan, scene.display, &meshes, half, &mut choices)?;
+        for pair in &mut contacts.pairs {
+            pair.origin = *origin;
+        }
         let ends = contacts.interfaces.into_iter().zip(contacts.rigid_points);
         let body = |(index, (interface, points)): (usize, (Vec<usize>, Vec<Point>))| {
             Ok(ModelBody {
@@ -324,6 +331,7 @@ impl Model {
         choices.push(kinematics(&plan));
         let model = Self {
             host: scene.host(),
+            origin: *origin,
             pairs: contacts.pairs,
             facings: contacts.facings,
             contacts: known_of_contacts(&plan, half),
@@ -362,6 +370,7 @@ impl Model {
     /// # Errors
     /// As [`Model::build`].
     pub fn with_laws_and_history(&self, scene: &Scene) -> Result<Self, ModelError> {
+        let (scene, _) = &placement::centred(scene);
         let plan = Plan::of(scene);
         let mut model = self.clone();
         for (contact, pair) in scene.contacts.iter().zip(&mut model.pairs) {
@@ -376,6 +385,21 @@ impl Model {
         model.contacts = known_of_contacts(&plan, model.half);
         model.request = Request::of(scene, &plan, &model.bodies, model.half)?;
         Ok(model)
+    }
+
+    /// `mesh`, that of its body `name`, in the coordinates of the scene.
+    ///
+    /// # Errors
+    /// [`ModelError::Mesh`] where rounding destroys a cell there.
+    pub fn placed(&self, name: &str, mesh: &Arc<Mesh>) -> Result<Arc<Mesh>, ModelError> {
+        if self.origin == [0.0; 2] {
+            return Ok(Arc::clone(mesh));
+        }
+        let placed = Mesh::clone(mesh).translated(self.origin);
+        placed.map(Arc::new).map_err(|cause| ModelError::Mesh {
+            body: name.to_owned(),
+            cause,
+        })
     }
 
     /// Divides load step k into `substeps[k]` increments.

@@ -38,6 +38,7 @@ fn wedge(
         .collect();
     let pair = ContactPair {
         name: "wedge".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points,

@@ -13,6 +13,7 @@ use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate};
 use stickslip_fem_core::mesh::{self, EdgePath, ElementKind, Mesh, Point};
 use stickslip_mesh_files::{Coincident, Format, Imported, read_with, recognise_set, snap};
 
+use super::Shape;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, NONE, REQUIRED, text, words};
 use crate::digest::sha256;
@@ -321,6 +322,29 @@ impl Outline for GivenMesh {
             generator: Box::new(generator),
             layers: None,
         })
+    }
+
+    fn is_placed(&self) -> bool {
+        true
+    }
+
+    fn moved(&self, by: Point) -> Option<Shape> {
+        if by == [0.0; 2] {
+            return Some(Shape::GivenMesh(self.clone()));
+        }
+        let mesh = Mesh::clone(self.mesh.as_ref()?).translated(by).ok()?;
+        let shifted = |[x, y]: Point| [x + by[0], y + by[1]];
+        let edge = |own: &Edge| Edge {
+            curve: own.curve.moved(by),
+            ..own.clone()
+        };
+        let point = |(name, at): &(String, Point)| (name.clone(), shifted(*at));
+        Some(Shape::GivenMesh(Self {
+            mesh: Some(Arc::new(mesh)),
+            edges: self.edges.iter().map(edge).collect(),
+            points: self.points.iter().map(point).collect(),
+            ..self.clone()
+        }))
     }
 
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String {

@@ -9,6 +9,7 @@ use stickslip_fem_core::generate::{Extent, Generate, GenerateError};
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 use thiserror::Error;
 
+use super::Shape;
 use crate::units::{Length, Quantity};
 
 /// A body's shape. Coordinates are those of the body, whose centre stands where [`placement`](crate::placement) puts it; all
@@ -75,6 +76,16 @@ pub trait Outline: fmt::Debug {
     /// # Errors
     /// [`DivisionError`] for a division that does not suit it.
     fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError>;
+
+    /// Whether scenes say themselves where its points are.
+    fn is_placed(&self) -> bool {
+        false
+    }
+
+    /// The same body with its points moved by `by` `[mm]`; `None` of one that is not [placed](Self::is_placed), or that no number can move so far.
+    fn moved(&self, _by: Point) -> Option<Shape> {
+        None
+    }
 
     /// One line about it, with lengths as `show` writes them.
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String;
@@ -192,6 +203,34 @@ impl Curve {
             ends: [from, to],
             turn,
         })
+    }
+
+    /// The same curve moved by `by` `[mm]`.
+    pub(super) fn moved(self, by: Point) -> Self {
+        let shifted = |[x, y]: Point| [x + by[0], y + by[1]];
+        match self {
+            Self::Circle { centre, radius } => Self::Circle {
+                centre: shifted(centre),
+                radius,
+            },
+            Self::Arc {
+                centre,
+                radius,
+                ends,
+                turn,
+            } => Self::Arc {
+                centre: shifted(centre),
+                radius,
+                ends: ends.map(shifted),
+                turn,
+            },
+            Self::Segment { ends } => Self::Segment {
+                ends: ends.map(shifted),
+            },
+            Self::Chain { bounds } => Self::Chain {
+                bounds: bounds.map(shifted),
+            },
+        }
     }
 
     /// The least and the greatest coordinate along `axis` (0 for x, 1 for y).

@@ -19,6 +19,7 @@ use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
 
 use super::hole::MESH_KEYS;
+use super::Shape;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, Table, length, tables_of, text, words};
 use crate::document::child;
@@ -185,12 +186,26 @@ impl Profile {
 
 /// The same body somewhere else.
 fn moved(contour: &Contour, by: Point) -> Contour {
-    let shifted = |at: Point| [at[0] + by[0], at[1] + by[1]];
+    changed(contour, |at| [at[0] + by[0], at[1] + by[1]])
+}
+
+/// The same body with coordinates rounded to a binary fraction of its size, by 3·10⁻¹⁴ of it at most, so that its triangles do not hang on the rounding
+/// of the coordinates that it has somewhere else.
+fn rounded(contour: &Contour) -> Contour {
+    const DIGITS: i32 = 44;
+    let [low, high] = contour.bounds();
+    let size = (high[0] - low[0]).max(high[1] - low[1]);
+    let unit = f64::exp2(size.log2().floor() - f64::from(DIGITS));
+    changed(contour, |at| at.map(|x| (x / unit).round() * unit))
+}
+
+/// The same contour with its points where `shifted` puts them.
+fn changed(contour: &Contour, shifted: impl Fn(Point) -> Point) -> Contour {
     let mut own = contour.clone();
     own.start = shifted(own.start);
     for piece in &mut own.pieces {
         piece.to = shifted(piece.to);
-        piece.through = piece.through.map(shifted);
+        piece.through = piece.through.map(&shifted);
     }
     for hole in &mut own.holes {
         hole.centre = shifted(hole.centre);
@@ -298,6 +313,15 @@ impl Outline for Profile {
             generator: Box::new(ContourMesh { contour, division }),
             layers: None,
         })
+    }
+
+    fn is_placed(&self) -> bool {
+        true
+    }
+
+    fn moved(&self, by: Point) -> Option<Shape> {
+        let contour = rounded(&moved(&self.contour, by));
+        Some(Shape::Profile(Self { contour }))
     }
 
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String {
