@@ -278,7 +278,11 @@ impl<'a> Edges<'a> {
 
     /// Where the point `k` of the first edge stands, seen from the origin of the second.
     fn place(&self, k: usize) -> Point {
-        let (place, by, origin) = (self.facing.first[k], self.first[k], self.facing.second.origin());
+        let (place, by, origin) = (
+            self.facing.first[k],
+            self.first[k],
+            self.facing.second.origin(),
+        );
         [0, 1].map(|axis| (place[axis] - origin[axis]) + by[axis])
     }
 

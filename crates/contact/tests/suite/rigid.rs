@@ -353,6 +353,7 @@ fn a_plate_makes_way_for_a_driven_pin_without_force() {
     let plate = RigidBody::sliding(pin.points().to_vec(), [true, false], &[[0.0; 2]]);
     let gap = |k: usize| clearance * (1.0 - angle(k).cos());
     let pair = ContactPair {
+        origin: [0.0; 2],
         name: "joint".into(),
         first: 0,
         second: 1,

@@ -18,8 +18,8 @@ use stickslip_fem_core::generate::{Extent, uniform_angles};
 use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
 
-use super::hole::MESH_KEYS;
 use super::Shape;
+use super::hole::MESH_KEYS;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, Table, length, tables_of, text, words};
 use crate::document::child;
