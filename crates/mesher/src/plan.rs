@@ -119,7 +119,7 @@ fn check_division(division: &Division, names: &[String]) -> Result<(), ContourEr
     }
     let overall = division.spacing.map(|value| ("spacing".to_owned(), value));
     let fine = division.fine.iter();
-    let fine = fine.map(|(name, &value)| (format!("spacing on piece '{name}'"), value));
+    let fine = fine.map(|(name, &value)| (format!("spacing on edge '{name}'"), value));
     for (what, value) in overall.into_iter().chain(fine) {
         if !value.is_finite() {
             return Err(ContourError::NotFinite { what, value });
