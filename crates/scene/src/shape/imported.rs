@@ -11,7 +11,9 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate};
 use stickslip_fem_core::mesh::{self, EdgePath, ElementKind, Mesh, Point};
-use stickslip_mesh_files::{Coincident, Format, Imported, read_with, recognise_set, snap};
+use stickslip_mesh_files::{
+    Coincident, Format, Imported, best_circle, read_with, recognise_set, snap,
+};
 
 use super::Shape;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
@@ -57,6 +59,7 @@ impl Keys {
             mesh: None,
             edges: Vec::new(),
             points: Vec::new(),
+            uneven: Vec::new(),
             notes: Vec::new(),
         }
     }
@@ -138,6 +141,8 @@ pub struct GivenMesh {
     mesh: Option<Arc<Mesh>>,
     edges: Vec<Edge>,
     points: Vec<(String, Point)>,
+    /// Closed edges that are nearly circles, and by how much they are none.
+    uneven: Vec<(String, String)>,
     /// What of the file was passed over or changed.
     pub notes: Vec<String>,
 }
@@ -187,6 +192,11 @@ impl GivenMesh {
         let plain = Mesh::new(parts).map_err(|cause| cause.to_string())?;
         let paths = names.iter().map(|name| (name, plain.edge_path(name).ok()));
         let paths: Vec<(&String, Option<EdgePath>)> = paths.collect();
+        let uneven = (paths.iter()).filter_map(|(name, path)| {
+            let path = path.as_ref().filter(|path| path.closed)?;
+            Some(((*name).clone(), uneven(&plain, name, path)?))
+        });
+        let uneven = uneven.collect();
         let edges = (paths.iter())
             .map(|(name, path)| edge(&plain, name, path.as_ref()))
             .collect();
@@ -209,9 +219,31 @@ impl GivenMesh {
             mesh: Some(Arc::new(mesh)),
             edges,
             points,
+            uneven,
             notes,
         })
     }
+}
+
+/// By how much the closed chain `path` of the set `name` is no circle, if it is nearly one.
+fn uneven(mesh: &Mesh, name: &str, path: &EdgePath) -> Option<String> {
+    /// Part of its radius by which a chain may leave a circle that it is meant to be.
+    const NEARLY: f64 = 0.05;
+    if mesh.edge_set(name).ok()?.curve.is_some() {
+        return None;
+    }
+    let corners = path.nodes.iter().step_by(path.order);
+    let corners: Vec<Point> = corners.map(|&node| mesh.nodes()[node]).collect();
+    let found = best_circle(&corners)?;
+    let mesh::Curve::Arc { radius, .. } = found.curve else {
+        return None;
+    };
+    (found.residual <= NEARLY * radius).then(|| {
+        format!(
+            "its nodes leave their best circle, of radius {radius:.6} mm, by up to {:.2e} mm",
+            found.residual
+        )
+    })
 }
 
 /// The edge of the set `name`, whose edges form the chain `path` if they form one.
@@ -301,6 +333,11 @@ impl Outline for GivenMesh {
 
     fn digest(&self) -> Option<&str> {
         Some(&self.digest)
+    }
+
+    fn why_not_round(&self, edge: &str) -> Option<&str> {
+        let own = self.uneven.iter().find(|(name, _)| name == edge)?;
+        Some(&own.1)
     }
 
     fn notes(&self) -> &[String] {

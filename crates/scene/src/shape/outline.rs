@@ -51,6 +51,11 @@ pub trait Outline: fmt::Debug {
         None
     }
 
+    /// By how much the closed edge `edge` is no circle, where it is nearly one.
+    fn why_not_round(&self, _edge: &str) -> Option<&str> {
+        None
+    }
+
     /// What a reader must know of its file.
     fn notes(&self) -> &[String] {
         &[]
