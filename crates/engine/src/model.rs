@@ -276,6 +276,8 @@ pub struct Model {
     pub contacts: Vec<ModelContact>,
     /// Contact edges first, then further edges.
     pub edges: Vec<ModelEdge>,
+    /// Nodes of each body where stresses have no bound: the ends of supported edges and of platens, and points that are held.
+    pub singular: Vec<Vec<usize>>,
     /// Load multipliers per step.
     pub history: LoadHistory,
     /// Whether one half of a symmetric scene is modelled.
@@ -329,6 +331,13 @@ impl Model {
         let bodies = ends.enumerate().map(body);
         let bodies = bodies.collect::<Result<Vec<_>, ModelError>>()?;
         choices.push(kinematics(&plan));
+        let singular = |index: usize| match meshes.get(&index) {
+            Some(mesh) => request::singular(&plan, index, mesh).map_err(|cause| ModelError::Mesh {
+                body: plan.bodies[index].name.to_owned(),
+                cause,
+            }),
+            None => Ok(Vec::new()),
+        };
         let model = Self {
             host: scene.host(),
             origin: *origin,
@@ -336,6 +345,7 @@ impl Model {
             facings: contacts.facings,
             contacts: known_of_contacts(&plan, half),
             edges: contacts.edges,
+            singular: (0..bodies.len()).map(singular).collect::<Result<_, _>>()?,
             history: loads::history(&plan)?,
             half,
             choices,
@@ -410,6 +420,12 @@ impl Model {
         let (steps, ramp) = (self.history.steps().to_vec(), self.history.ramp());
         self.history = LoadHistory::divided(steps, substeps.to_vec(), ramp)?;
         Ok(())
+    }
+
+    /// The coordinate in which the mirror halves differ of the body with the index `body`, whose failure is asked about.
+    pub(crate) fn across(&self, body: usize) -> Option<usize> {
+        let failing = &self.request.failure.as_ref()?.bodies;
+        Some(failing.iter().find(|own| own.body == body)?.across)
     }
 
     /// Whether the failure of the body with the index `body` is asked about.

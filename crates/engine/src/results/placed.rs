@@ -20,11 +20,12 @@ impl Results {
             }
         }
         for step in &mut self.steps {
-            step.notes.cycle_places.iter_mut().for_each(|at| shift(at, by));
+            step.notes
+                .cycle_places
+                .iter_mut()
+                .for_each(|at| shift(at, by));
             for (edge, geometry) in step.edges.iter_mut().zip(&self.edges) {
-                if geometry.kind == EdgeKind::Line {
-                    edge.place(by[0]);
-                }
+                edge.place(geometry, by);
             }
         }
         for failure in &mut self.failure {
@@ -41,8 +42,11 @@ impl Results {
 }
 
 impl EdgeResults {
-    /// Moves places along x, on a line.
-    fn place(&mut self, by: f64) {
+    /// Moves places by `by` `[mm]`, on the edge `geometry`.
+    pub(crate) fn place(&mut self, geometry: &EdgeGeometry, [by, _]: [f64; 2]) {
+        if geometry.kind != EdgeKind::Line {
+            return;
+        }
         let peaks = [&mut self.peak_pressure, &mut self.peak_hoop];
         for (_, at) in peaks.into_iter().flatten() {
             *at += by;
@@ -74,7 +78,10 @@ impl BodyFailure {
             }
         }
         if let Some(characteristic) = &mut self.characteristic {
-            characteristic.places.iter_mut().for_each(|at| shift(at, by));
+            characteristic
+                .places
+                .iter_mut()
+                .for_each(|at| shift(at, by));
             for joint in characteristic.curve.iter_mut().flatten() {
                 joint.first.place(by);
             }
