@@ -28,6 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let punch = RigidBody::sliding(block.points().to_vec(), [true, true], &LOADS);
     let pair = ContactPair {
         name: "punch".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points: node_pairs(block.points()),

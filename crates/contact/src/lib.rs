@@ -47,6 +47,7 @@
 //!     material_angle: 0.0,
 //! };
 //! let pair = ContactPair {
+//!     origin: [0.0; 2],
 //!     name: "ground".into(),
 //!     first: 0,
 //!     second: 1,

@@ -29,7 +29,13 @@ pub const NEAR_BOUND: f64 = 0.8;
 /// point; open points carry nothing) has one solution. Infinite if normal and tangential directions are not coupled; `None` if
 /// no point touches, or if the touching points do not hold the bodies.
 pub fn uniqueness_bound(problem: &InterfaceProblem, status: &[Status]) -> Option<f64> {
-    estimate(problem, status, None)
+    let touching = (0..problem.points().len())
+        .filter(|&k| status.get(k).is_some_and(|status| status.touches()));
+    // What nothing holds makes the equations singular, of which rounding would leave 10⁻¹⁶ for an estimate.
+    match FreeMotions::of(problem, touching.map(|k| 2 * k)) {
+        Some(_) => None,
+        None => estimate(problem, status, None),
+    }
 }
 
 /// The same where rigid motions that no normal resists, such as the turn of a round body, are held where they are: a hint whether to

@@ -32,7 +32,7 @@ use crate::results::{Choice, EdgeGeometry, Finding};
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
-use stickslip_scene::placement::offset;
+use stickslip_scene::placement::{self, offset};
 use stickslip_scene::schema::KinematicsChoice;
 
 pub use load_table::LoadTable;
@@ -265,6 +265,9 @@ pub struct ModelContact {
 pub struct Model {
     /// The machine that its scene was read on; its clock times the run.
     pub host: Host,
+    /// Where the origin of all its coordinates lies in those of the scene `[mm]`: in the middle of bodies that may stand anywhere, so that rounding is relative
+    /// to their size.
+    pub origin: Point,
     /// Bodies in the order of their names.
     pub bodies: Vec<ModelBody>,
     /// Contact pairs.
@@ -275,6 +278,8 @@ pub struct Model {
     pub contacts: Vec<ModelContact>,
     /// Contact edges first, then further edges.
     pub edges: Vec<ModelEdge>,
+    /// Nodes of each body where stresses have no bound: the ends of supported edges and of platens, and points that are held.
+    pub singular: Vec<Vec<usize>>,
     /// Load multipliers per step.
     pub history: LoadHistory,
     /// Whether one half of a symmetric scene is modelled.
@@ -303,6 +308,7 @@ impl Model {
         known: Option<&Self>,
         seats: &[Option<Seat>],
     ) -> Result<Self, ModelError> {
+        let (scene, origin) = &placement::centred(scene);
         let mut plan = Plan::of(scene);
         plan.seat(seats);
         limits::check(&plan)?;
@@ -311,7 +317,10 @@ impl Model {
         series::choose(&mut plan, scene, known, half, &mut choices)?;
         let meshes = meshes::build(&plan, scene.limits(), half, &mut choices)?;
         let materials = materials(scene)?;
-        let contacts = contacts::build(&plan, scene.display, &meshes, half, &mut choices)?;
+        let mut contacts = contacts::build(&plan, scene.display, &meshes, half, &mut choices)?;
+        for pair in &mut contacts.pairs {
+            pair.origin = *origin;
+        }
         let ends = contacts.interfaces.into_iter().zip(contacts.rigid_points);
         let body = |(index, (interface, points)): (usize, (Vec<usize>, Vec<Point>))| {
             Ok(ModelBody {
@@ -324,12 +333,21 @@ impl Model {
         let bodies = ends.enumerate().map(body);
         let bodies = bodies.collect::<Result<Vec<_>, ModelError>>()?;
         choices.push(kinematics(&plan));
+        let singular = |index: usize| match meshes.get(&index) {
+            Some(mesh) => request::singular(&plan, index, mesh).map_err(|cause| ModelError::Mesh {
+                body: plan.bodies[index].name.to_owned(),
+                cause,
+            }),
+            None => Ok(Vec::new()),
+        };
         let model = Self {
             host: scene.host(),
+            origin: *origin,
             pairs: contacts.pairs,
             facings: contacts.facings,
             contacts: known_of_contacts(&plan, half),
             edges: contacts.edges,
+            singular: (0..bodies.len()).map(singular).collect::<Result<_, _>>()?,
             history: loads::history(&plan)?,
             half,
             choices,
@@ -364,6 +382,7 @@ impl Model {
     /// # Errors
     /// As [`Model::build`].
     pub fn with_laws_and_history(&self, scene: &Scene) -> Result<Self, ModelError> {
+        let (scene, _) = &placement::centred(scene);
         let plan = Plan::of(scene);
         let mut model = self.clone();
         for (contact, pair) in scene.contacts.iter().zip(&mut model.pairs) {
@@ -380,6 +399,21 @@ impl Model {
         Ok(model)
     }
 
+    /// `mesh`, that of its body `name`, in the coordinates of the scene.
+    ///
+    /// # Errors
+    /// [`ModelError::Mesh`] where rounding destroys a cell there.
+    pub fn placed(&self, name: &str, mesh: &Arc<Mesh>) -> Result<Arc<Mesh>, ModelError> {
+        if self.origin == [0.0; 2] {
+            return Ok(Arc::clone(mesh));
+        }
+        let placed = Mesh::clone(mesh).translated(self.origin);
+        placed.map(Arc::new).map_err(|cause| ModelError::Mesh {
+            body: name.to_owned(),
+            cause,
+        })
+    }
+
     /// Divides load step k into `substeps[k]` increments.
     ///
     /// # Errors
@@ -388,6 +422,12 @@ impl Model {
         let (steps, ramp) = (self.history.steps().to_vec(), self.history.ramp());
         self.history = LoadHistory::divided(steps, substeps.to_vec(), ramp)?;
         Ok(())
+    }
+
+    /// The coordinate in which the mirror halves differ of the body with the index `body`, whose failure is asked about.
+    pub(crate) fn across(&self, body: usize) -> Option<usize> {
+        let failing = &self.request.failure.as_ref()?.bodies;
+        Some(failing.iter().find(|own| own.body == body)?.across)
     }
 
     /// Whether the failure of the body with the index `body` is asked about.

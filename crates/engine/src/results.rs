@@ -4,6 +4,7 @@ mod failure;
 mod finding;
 mod frame;
 mod nodes;
+mod placed;
 mod progressive;
 mod resolution;
 mod stated;

@@ -367,6 +367,7 @@ fn reported(
         .phases
         .push(("stresses", model.host.seconds() - start));
     results.phases = solved.phases;
+    results.place(model)?;
     Ok(results)
 }
 

@@ -159,6 +159,7 @@ pub fn on_ground(
         .collect();
     let pair = ContactPair {
         name: "ground".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points,

@@ -49,7 +49,8 @@ impl Truth {
         let named = |body: &stickslip_engine::model::ModelBody| body.name == own.body;
         let index = model.bodies.iter().position(named).ok_or_else(missing)?;
         let elastic = solved.operators[index].elastic().ok_or_else(missing)?;
-        let mesh = elastic.body().mesh().clone();
+        let mesh = model.placed(&own.body, elastic.body().mesh());
+        let mesh = mesh.map_err(RunError::from)?;
         let displacements = displacements_of(&model, &solved, index);
         let results = results_without_audit(&model, chain.as_ref(), solved, &[index])?;
         Ok(Self {

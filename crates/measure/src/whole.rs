@@ -98,7 +98,7 @@ impl WholePlate {
             return Err(WholeError::Heated { body: name() });
         }
         let free = ElasticBody::new(
-            Arc::clone(body.mesh()),
+            model.placed(&own.body, body.mesh())?,
             body.materials().to_vec(),
             body.thickness(),
         )?;

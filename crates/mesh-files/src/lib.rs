@@ -51,7 +51,7 @@ pub use curves::{recognise_set, snap};
 pub use error::{CurveError, ReadError, Unsupported, WriteError};
 pub use note::Note;
 pub use place::Place;
-pub use recognise::{Recognised, recognise};
+pub use recognise::{Recognised, best_circle, recognise};
 pub use write::{write_inp, write_msh};
 
 /// A format of mesh files.

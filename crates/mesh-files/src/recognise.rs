@@ -67,6 +67,18 @@ pub fn recognise(
     line.or_else(|| circle(&points, closed, order))
 }
 
+/// The circle of least squares through `corners`, however far they are off it; `None` of points on a line.
+pub fn best_circle(corners: &[Point]) -> Option<Recognised> {
+    let fitted = fit(corners)?;
+    Some(Recognised {
+        curve: Curve::Arc {
+            centre: fitted.centre,
+            radius: fitted.radius,
+        },
+        residual: corners.iter().map(|&p| fitted.off(p)).fold(0.0, f64::max),
+    })
+}
+
 fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
 }

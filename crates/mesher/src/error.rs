@@ -9,7 +9,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum ContourError {
     /// An outline of one piece or none.
-    #[error("the outline has {count} pieces, at least 2 are needed")]
+    #[error("the outline has {count} edges, at least 2 are needed")]
     TooFewPieces {
         /// How many there are.
         count: usize,
@@ -37,14 +37,14 @@ pub enum ContourError {
         what: String,
     },
     /// A name that is used twice where it must not be.
-    #[error("the name '{name}' is used twice; only neighbouring pieces may share one")]
+    #[error("the name '{name}' is used twice; only neighbouring edges may share one")]
     DuplicateName {
         /// The name.
         name: String,
     },
     /// The last piece does not end where the first begins.
     #[error(
-        "the outline is open: its last piece '{piece}' ends at ({}, {}), a distance of {gap} from the start ({}, {})",
+        "the outline is open: its last edge '{piece}' ends at ({}, {}), a distance of {gap} from the start ({}, {})",
         end[0], end[1], start[0], start[1]
     )]
     Open {
@@ -58,7 +58,7 @@ pub enum ContourError {
         gap: f64,
     },
     /// A piece that ends where it begins.
-    #[error("piece '{piece}' has no length: it begins and ends at ({}, {})", at[0], at[1])]
+    #[error("edge '{piece}' has no length: it begins and ends at ({}, {})", at[0], at[1])]
     ZeroLength {
         /// Name of the piece.
         piece: String,
@@ -67,22 +67,20 @@ pub enum ContourError {
     },
     /// An arc that three points do not define.
     #[error(
-        "the three points of arc '{piece}' lie on a line or coincide; give a point between its ends, or none for a straight piece"
+        "the three points of arc '{piece}' lie on a line or coincide; give a point between its ends, or none for a straight edge"
     )]
     StraightArc {
         /// Name of the piece.
         piece: String,
     },
     /// The body would be on the right of the outline.
-    #[error(
-        "the outline is clockwise (its signed area is {area}); reverse the order of its pieces"
-    )]
+    #[error("the outline is clockwise (its signed area is {area}); reverse the order of its edges")]
     Clockwise {
         /// Signed area of the outline `[length²]`.
         area: f64,
     },
     /// Two pieces that cross or touch.
-    #[error("pieces '{first}' and '{second}' meet near ({:.6}, {:.6})", at[0], at[1])]
+    #[error("edges '{first}' and '{second}' meet near ({:.6}, {:.6})", at[0], at[1])]
     Crossing {
         /// Name of the first piece.
         first: String,
@@ -116,7 +114,7 @@ pub enum ContourError {
     },
     /// A hole that reaches the outline.
     #[error(
-        "hole '{hole}' crosses piece '{piece}': its centre is {distance} away and its radius is {radius}"
+        "hole '{hole}' crosses edge '{piece}': its centre is {distance} away and its radius is {radius}"
     )]
     HoleCrosses {
         /// Name of the hole.

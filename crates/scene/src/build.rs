@@ -256,6 +256,10 @@ impl Builder<'_> {
             self.undefined(key, "body", name, names);
             return None;
         };
+        // Of a file that was refused no set is known, and that needs no second message.
+        if body.shape.has_own_mesh() && self.is_refused(&format!("bodies.{name}.shape")) {
+            return None;
+        }
         let (points, areas) = match fits {
             Fits::Edges => (Vec::new(), &[][..]),
             Fits::EdgesAndAreas => (Vec::new(), body.shape.areas()),

@@ -53,6 +53,43 @@ pub fn centre(scene: &Scene, body: &str) -> Point {
     [0, 1].map(|axis| sum[axis] + position[axis])
 }
 
+/// The middle `[mm]` of the bodies that no hole holds, if the scene says itself where the points of each of them are; otherwise the origin, about which the
+/// others stand.
+pub fn middle(scene: &Scene) -> Point {
+    let free = scene
+        .bodies
+        .iter()
+        .filter(|(name, _)| holder(scene, name).is_none());
+    let mut extent: Option<[Point; 2]> = None;
+    for (_, body) in free {
+        if !body.shape.is_placed() {
+            return [0.0; 2];
+        }
+        let at = |corner: Point| [0, 1].map(|axis| corner[axis] + body.position[axis]);
+        let [low, high] = body.shape.bounds().map(at);
+        let [least, most] = extent.unwrap_or([low, high]);
+        extent = Some([
+            [0, 1].map(|axis| least[axis].min(low[axis])),
+            [0, 1].map(|axis| most[axis].max(high[axis])),
+        ]);
+    }
+    let [low, high] = extent.unwrap_or_default();
+    [0, 1].map(|axis| f64::midpoint(low[axis], high[axis]))
+}
+
+/// `scene` about its [`middle`], which is returned as well: numbers there are relative to the size of its bodies, wherever these stand.
+pub fn centred(scene: &Scene) -> (Scene, Point) {
+    let middle = middle(scene);
+    let mut centred = scene.clone();
+    for body in centred.bodies.values_mut() {
+        let by = [0, 1].map(|axis| body.position[axis] - middle[axis]);
+        if let Some(moved) = body.shape.moved(by) {
+            (body.shape, body.position) = (moved, [0.0; 2]);
+        }
+    }
+    (centred, middle)
+}
+
 /// Centre of the closed circle `edge` of `body` `[mm]`.
 pub fn circle_centre(scene: &Scene, body: &str, edge: &str) -> Point {
     let (centre, within) = (centre(scene, body), within(scene, body, edge));

@@ -40,6 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let pair = ContactPair {
         name: "pin".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points: nodes.angles().iter().enumerate().map(point).collect(),

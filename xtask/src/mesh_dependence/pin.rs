@@ -112,6 +112,7 @@ fn contact(
     });
     let pair = ContactPair {
         name: "pin".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points: points.collect(),

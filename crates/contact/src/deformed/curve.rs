@@ -156,16 +156,18 @@ impl Curve {
         }
     }
 
-    /// X, X′ and X″ of the undeformed curve.
+    /// From where its places are seen: the centre of its circle, so that rounding is relative to the radius wherever the circle stands.
+    pub(super) fn origin(&self) -> Point {
+        self.centre().unwrap_or_default()
+    }
+
+    /// X, X′ and X″ of the undeformed curve, X seen from its [`origin`](Self::origin).
     fn undeformed(&self, s: f64) -> [Point; 3] {
         match self.shape {
-            CurveShape::Circle {
-                centre: [x, y],
-                radius,
-            } => {
+            CurveShape::Circle { radius, .. } => {
                 let (sine, cosine) = s.sin_cos();
                 let [along, up] = [radius * cosine, radius * sine];
-                [[x + along, y + up], [-up, along], [-along, -up]]
+                [[along, up], [-up, along], [-along, -up]]
             }
             CurveShape::Level { level } => [[s, level], [1.0, 0.0], [0.0, 0.0]],
         }
@@ -190,7 +192,7 @@ impl Curve {
         &self.skew[position]
     }
 
-    /// The place `by` beyond the node at `position` of the curve whose nodes are displaced by `moved`.
+    /// The place `by` beyond the node at `position` of the curve whose nodes are displaced by `moved`, seen from its [`origin`](Self::origin).
     pub(super) fn local(&self, moved: &[Point], position: usize, by: f64) -> Local {
         let [mut place, mut tangent, curvature] = self.undeformed(self.parameter[position] + by);
         let own = moved[position];
@@ -209,8 +211,8 @@ impl Curve {
         }
     }
 
-    /// How far beyond the node at `position` the place nearest to `to` lies on the curve whose nodes are displaced by `moved`; `None` where the
-    /// search does not end.
+    /// How far beyond the node at `position` the place nearest to `to`, seen from its [`origin`](Self::origin), lies on the curve whose nodes are
+    /// displaced by `moved`; `None` where the search does not end.
     pub(super) fn nearest(&self, moved: &[Point], to: Point, position: usize) -> Option<f64> {
         let close = 1e-14 * (self.parameter[self.parameter.len() - 1] - self.parameter[0]);
         let mut by = 0.0;

@@ -276,10 +276,14 @@ impl<'a> Edges<'a> {
         turns.filter_map(couple).collect()
     }
 
-    /// Where the point `k` of the first edge stands.
+    /// Where the point `k` of the first edge stands, seen from the origin of the second.
     fn place(&self, k: usize) -> Point {
-        let (place, by) = (self.facing.first[k], self.first[k]);
-        [place[0] + by[0], place[1] + by[1]]
+        let (place, by, origin) = (
+            self.facing.first[k],
+            self.first[k],
+            self.facing.second.origin(),
+        );
+        [0, 1].map(|axis| (place[axis] - origin[axis]) + by[axis])
     }
 
     /// How far beyond the node `k` of the second edge the place lies that is nearest to the point `k` of the first.

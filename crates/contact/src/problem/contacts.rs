@@ -33,6 +33,8 @@ pub struct ContactPoint {
 pub struct ContactPair {
     /// Name for messages and results.
     pub name: String,
+    /// Where the origin of the bodies' coordinates lies in those that the friction law is given `[length]`.
+    pub origin: Point,
     /// Index of the first body.
     pub first: usize,
     /// Index of the second body.
@@ -259,8 +261,9 @@ fn problem_points(pairs: &[ContactPair], bodies: &[&dyn InterfaceOperator]) -> V
     for (index, pair) in pairs.iter().enumerate() {
         for point in &pair.points {
             let nodes = bodies[pair.first].points();
+            let [x, y] = point.first.position(nodes);
             let place = Place {
-                position: point.first.position(nodes),
+                position: [x + pair.origin[0], y + pair.origin[1]],
                 tangent: [-point.normal[1], point.normal[0]],
                 material_angle: point.material_angle,
             };

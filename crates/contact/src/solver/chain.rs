@@ -98,7 +98,6 @@ impl Chain {
                 return Err(failure);
             }
         }
-        let forceless = step.committed.forces.amax() == 0.0;
         for (index, member) in members.iter().enumerate() {
             match verified(member.as_ref(), step) {
                 Ok(solution) => {
@@ -111,9 +110,9 @@ impl Chain {
                     if !failure.is_unresolved() {
                         return Err(failure);
                     }
-                    // Bodies that travel before they touch: a search among points that close without force may go round in circles.
+                    // Bodies that travel before they touch, or that nothing loads any more: a search among points that close without force may
+                    // go round in circles.
                     if index == 0
-                        && forceless
                         && let Some(solution) = released(step)
                     {
                         return Ok(after(failure, solution));

@@ -325,6 +325,7 @@ fn problem(floating: bool, [length, force]: [f64; 2]) -> Result<InterfaceProblem
     });
     let pair = ContactPair {
         name: "ground".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points: points.collect(),

@@ -140,6 +140,7 @@ impl Hats {
         };
         ContactPair {
             name: pair.name.clone(),
+            origin: pair.origin,
             first: pair.first,
             second: pair.second,
             points: self.all.iter().enumerate().map(point).collect(),

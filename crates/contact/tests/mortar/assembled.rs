@@ -85,6 +85,7 @@ fn rows(points: &[ContactPoint], first: bool, nodes: usize) -> DMatrix<f64> {
 fn assembled(bodies: [&CondensedBody; 2]) -> InterfaceProblem {
     let pair = ContactPair {
         name: "joint".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points: points(),
@@ -150,6 +151,7 @@ fn malformed_stencils_are_refused() {
         let bodies = [(); 2].map(|()| RigidBody::held(vec![[0.0; 2]; 2], 0));
         let pair = ContactPair {
             name: "joint".into(),
+            origin: [0.0; 2],
             first: 0,
             second: 1,
             points: vec![point(first, 0.into(), 0.0)],

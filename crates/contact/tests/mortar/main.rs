@@ -41,6 +41,7 @@ fn solve(
 ) -> (InterfaceProblem, StepRecord) {
     let pair = ContactPair {
         name: "joint".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points,

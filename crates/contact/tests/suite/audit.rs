@@ -39,6 +39,7 @@ fn blocks(mu: f64) -> InterfaceProblem {
     let second = block(&[[0.0, 0.0], [1.0, 0.0]]);
     let pair = |ground: usize| ContactPair {
         name: "block".into(),
+        origin: [0.0; 2],
         first: ground,
         second: ground + 2,
         points: vec![ContactPoint {

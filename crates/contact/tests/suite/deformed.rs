@@ -71,6 +71,7 @@ impl Springs {
         };
         ContactPair {
             name: "pin".into(),
+            origin: [0.0; 2],
             first: 0,
             second: 1,
             points: points.map(point).collect(),

@@ -57,6 +57,7 @@ fn pair(bodies: [&dyn InterfaceOperator; 2], normals: &[[f64; 2]], mu: f64) -> I
     });
     let pair = ContactPair {
         name: "pair".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points: points.collect(),

@@ -38,6 +38,7 @@ fn wedge(
         .collect();
     let pair = ContactPair {
         name: "wedge".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points,
@@ -191,7 +192,7 @@ proptest! {
                 material_angle: 0.0,
             })
             .collect();
-        let pair = ContactPair { name: "pair".into(), first: 0, second: 1, points, law: coulomb(scene.mu) };
+        let pair = ContactPair { name: "pair".into(), origin: [0.0; 2], first: 0, second: 1, points, law: coulomb(scene.mu) };
         let problem = InterfaceProblem::new(&[&first, &second], vec![pair]).unwrap();
         for (record, other) in scene.follow(1).iter().zip(follow(&problem, &scene.steps, 1)) {
             assert_close(&record.state.forces, &other.state.forces);

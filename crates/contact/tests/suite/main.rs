@@ -70,6 +70,7 @@ impl Ground {
         let held = RigidBody::held(body.points().to_vec(), body.load_cases());
         let pair = ContactPair {
             name: "ground".into(),
+            origin: [0.0; 2],
             first: 0,
             second: 1,
             points,

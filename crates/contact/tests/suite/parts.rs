@@ -65,6 +65,7 @@ impl Blocks {
         };
         let walls = (0..count).map(|k| ContactPair {
             name: format!("wall {k}"),
+            origin: [0.0; 2],
             first: k,
             second: 2 * count,
             points: vec![point(1, [-1.0, 0.0], 0.02)],
@@ -72,6 +73,7 @@ impl Blocks {
         });
         let blocks = (0..count).rev().map(|k| ContactPair {
             name: format!("block {k}"),
+            origin: [0.0; 2],
             first: k,
             second: count + k,
             points: vec![point(0, [1.0, 0.0], 0.1), point(1, [1.0, 0.0], 0.2)],

@@ -24,6 +24,7 @@ fn block(free: [bool; 2], gaps: [f64; 2], mu: f64) -> InterfaceProblem {
     let points = (0..2).map(|k| point(k, [1.0, 0.0], gaps[k])).collect();
     let pair = ContactPair {
         name: "block".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points,
@@ -222,6 +223,7 @@ fn a_pin_between_walls_changes_sides() {
     let points = vec![point(0, [1.0, 0.0], 0.5), point(1, [-1.0, 0.0], 0.5)];
     let pair = ContactPair {
         name: "slot".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points,
@@ -351,6 +353,7 @@ fn a_plate_makes_way_for_a_driven_pin_without_force() {
     let plate = RigidBody::sliding(pin.points().to_vec(), [true, false], &[[0.0; 2]]);
     let gap = |k: usize| clearance * (1.0 - angle(k).cos());
     let pair = ContactPair {
+        origin: [0.0; 2],
         name: "joint".into(),
         first: 0,
         second: 1,
@@ -391,6 +394,7 @@ fn a_block_between_walls_that_close_is_pressed() {
     let points = vec![point(0, [-1.0, 0.0], 0.1), point(1, [1.0, 0.0], 0.2)];
     let pair = ContactPair {
         name: "walls".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points,

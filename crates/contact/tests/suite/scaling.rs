@@ -70,6 +70,7 @@ impl Disk {
         });
         let pair = ContactPair {
             name: "hole".into(),
+            origin: [0.0; 2],
             first: 0,
             second: 1,
             points: points.collect(),

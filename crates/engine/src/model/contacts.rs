@@ -141,6 +141,7 @@ impl Contacts {
         self.edges.push(in_contact(edge, contact, local, &points));
         self.pairs.push(ContactPair {
             name: contact.name.clone(),
+            origin: [0.0; 2],
             first: first.body,
             second: second.body,
             points,

@@ -51,7 +51,14 @@ pub(super) fn mirror(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<Mirro
 /// What breaks the symmetry, if anything does.
 pub(super) fn obstacle(plan: &Plan<'_>) -> Option<String> {
     let Some(across) = across(plan) else {
-        return Some("the shapes have no common line of symmetry".into());
+        let whole = plan.bodies.iter().find(|body| body.shape.is_placed());
+        return Some(match whole {
+            Some(body) => format!(
+                "outlines and meshes of files are always modelled whole, and '{}' is one",
+                body.name
+            ),
+            None => "the shapes have no common line of symmetry".into(),
+        });
     };
     of_materials(plan)
         .or_else(|| of_supports(plan, across))

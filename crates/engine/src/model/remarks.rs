@@ -9,6 +9,8 @@ use crate::results::{ContactFinding, Finding, Quantity};
 
 /// Clearance, as a part of the hole's radius, from which pairing points at equal angles is reported.
 const WIDE_CLEARANCE: f64 = 0.1;
+/// Part of the hole's radius by which coordinates of files are rounded.
+const NOWHERE: f64 = 1e-4;
 
 /// Findings on the scene as it stands.
 pub(super) fn of_scene(plan: &Plan<'_>) -> Vec<Finding> {
@@ -26,8 +28,21 @@ pub(super) fn of_scene(plan: &Plan<'_>) -> Vec<Finding> {
     let contacts = plan.contacts.iter().flat_map(of_contact);
     contacts
         .chain(of_file)
+        .chain(plan.contacts.iter().filter_map(|own| carried(plan, own)))
         .chain(held_at_points(plan))
         .collect()
+}
+
+/// A second body whose coordinates put it somewhere else than in the hole that holds it: farther from the middle than its clearance.
+fn carried(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<Finding> {
+    let body = &plan.bodies[contact.sides[1].body];
+    let [hole, inner] = contact.radii().filter(|_| body.shape.is_placed())?;
+    let distance = body.centre[0].hypot(body.centre[1]);
+    (distance > 2.0 * (hole - inner).abs() + NOWHERE * hole).then(|| Finding::MovedIntoHole {
+        body: body.name.to_owned(),
+        hole: contact.of.first.to_string(),
+        distance: Quantity::Length(distance),
+    })
 }
 
 /// Elastic bodies that are held at a point, where another support can take a part of the load.

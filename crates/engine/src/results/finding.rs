@@ -103,10 +103,26 @@ pub enum Finding {
         /// What, one line each.
         notes: Vec<String>,
     },
+    /// A body whose file puts it somewhere else was moved into the hole that holds it.
+    MovedIntoHole {
+        /// The body.
+        body: String,
+        /// The hole.
+        hole: String,
+        /// By how much.
+        distance: Quantity,
+    },
     /// Bodies are held at single points, on whose nodes it depends how load is shared.
     PointSupports {
         /// The bodies.
         bodies: Vec<String>,
+    },
+    /// The largest stress along an edge is where a support ends, grows with every finer division and has no limit, so that no error is stated.
+    NoLimitAtSupport {
+        /// The edge.
+        edge: String,
+        /// Load steps with such stresses.
+        steps: Vec<usize>,
     },
     /// The accuracy that is asked for is not reached.
     AccuracyMissed {

@@ -22,8 +22,9 @@ const ROUNDING: f64 = 1e-9;
 /// A place within this part of the edge's length of a node has that node's value.
 const NEAR: f64 = 1e-6;
 
-/// Puts the bearing point of every step of `edge` into `steps`, and what is measured from it; returns the edge's frame.
-pub(super) fn find(edge: &ModelEdge, steps: &mut [EdgeResults]) -> ContactFrame {
+/// Puts the bearing point of every step of `edge` into `steps`, and what is measured from it; returns the edge's frame. Where nothing bears, that is the place
+/// `start` on a line.
+pub(super) fn find(edge: &ModelEdge, start: f64, steps: &mut [EdgeResults]) -> ContactFrame {
     let geometry = &edge.geometry;
     if geometry.contact {
         let points = match geometry.kind {
@@ -38,6 +39,10 @@ pub(super) fn find(edge: &ModelEdge, steps: &mut [EdgeResults]) -> ContactFrame 
     let geometry = EdgeGeometry {
         frame,
         ..geometry.clone()
+    };
+    let start = match geometry.kind {
+        EdgeKind::Circle { .. } | EdgeKind::Path => 0.0,
+        EdgeKind::Line => start,
     };
     for step in steps {
         let at = step.bearing.or(frame.bearing);
@@ -58,7 +63,7 @@ pub(super) fn find(edge: &ModelEdge, steps: &mut [EdgeResults]) -> ContactFrame 
             .flatten();
         step.friction_force = friction_force(edge, &step.rows, at);
         step.hoop_at_bearing_point =
-            interpolated(&geometry, &step.rows, at.unwrap_or(0.0), |row| {
+            interpolated(&geometry, &step.rows, at.unwrap_or(start), |row| {
                 row.sigma_tangential
             });
     }

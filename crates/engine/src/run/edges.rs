@@ -50,7 +50,7 @@ pub(super) fn all(
             .map(|(rows, reported)| summarise(model, solved, edge, rows, reported))
             .collect();
         clear_sums(&mut results);
-        let frame = bearing::find(edge, &mut results);
+        let frame = bearing::find(edge, -model.origin[0], &mut results);
         clear_friction(&mut results);
         geometries.push(EdgeGeometry {
             frame,

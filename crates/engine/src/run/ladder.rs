@@ -27,6 +27,7 @@ use self::grading::Grading;
 use self::models::{Division, Level, Models};
 use self::numbers::{Numbers, Table, difference, sum};
 use super::{Progress, RunError, results, results_without_audit};
+use crate::model::obstacle_to_half;
 use crate::results::{BodyFailure, EdgeResults, Finding, Ladder, LadderEnd, Results, Rung, Stated};
 
 /// Increments of a load step with friction that are first compared with twice as many.
@@ -362,10 +363,22 @@ impl Climb<'_> {
         if last.model.request.failure.is_some() {
             let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));
             let before = self.failure_before(levels);
-            failure::estimate(&mut found.failure, &before, &parts);
+            let is_whole = !last.model.half && obstacle_to_half(self.scene).is_none();
+            for (index, own) in found.failure.iter_mut().enumerate() {
+                let before: Vec<_> = before.iter().filter_map(|all| all.get(index)).collect();
+                let known = failure::Known {
+                    parts: &parts,
+                    mirror: is_whole.then(|| last.model.across(own.body)).flatten(),
+                };
+                failure::estimate(own, &before, known);
+            }
         }
         for ((step, fitted), errors) in found.steps.iter_mut().zip(last.numbers.steps).zip(errors) {
-            for ((edge, fitted), errors) in step.edges.iter_mut().zip(fitted).zip(errors) {
+            let fitted = fitted.into_iter().zip(&found.edges);
+            for ((edge, (mut fitted, geometry)), errors) in
+                step.edges.iter_mut().zip(fitted).zip(errors)
+            {
+                fitted.place(geometry, last.model.origin);
                 let rows = std::mem::take(&mut edge.rows);
                 *edge = EdgeResults {
                     rows,

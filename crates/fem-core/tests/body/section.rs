@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::body::{BodyError, BodyLoad};
-use stickslip_fem_core::mesh::ElementKind;
+use stickslip_fem_core::mesh::{ElementKind, Mesh};
 use stickslip_fem_core::{
     ElasticBody, HeldDirection, InterfaceOperator, LoadCase, SectionHold, Support, load,
 };
@@ -158,6 +158,38 @@ fn the_turn_stays_free_and_moves_no_mean() {
     for (k, &node) in interface.iter().enumerate() {
         assert!((applied[2 * k] - u[2 * node]).abs() < 1e-11 * largest(&u));
     }
+}
+
+/// In other units of length all is the same, and with it what counts as held.
+#[test]
+fn a_rescaled_section_has_the_same_compliance() {
+    let kind = ElementKind::Q4;
+    let compliance = |scale: f64, held: bool| {
+        let mut parts = scattered(kind, Distortion::Curved, 43).into_parts();
+        for node in &mut parts.nodes {
+            *node = node.map(|x| scale * x);
+        }
+        let mesh = Mesh::new(parts).unwrap();
+        let points = [[1.0, 1.0], [1.1, -0.2]].map(|at| nearest(&mesh, at.map(|x| scale * x)));
+        let left = side_nodes(&mesh, &["left"]);
+        let own = ElasticBody::new(Arc::new(mesh), vec![ply(0.3)], THICKNESS).unwrap();
+        let directions = [HeldDirection::X, HeldDirection::Y].into_iter();
+        let supports = directions.filter(|_| held).map(|direction| Support {
+            nodes: left.clone(),
+            direction,
+            displacement: 0.0,
+        });
+        let own = own.with_supports(supports).with_section_hold(HOLD);
+        Arc::new(own).condense(&points)
+    };
+    let [own, small] = [1.0, 1e-9].map(|scale| compliance(scale, false).unwrap());
+    let (own, small) = (own.compliance().unwrap(), small.compliance().unwrap());
+    assert!((own - small).amax() < 1e-11 * own.amax());
+    let refused = [1.0, 1e-9, 1e9].map(|scale| compliance(scale, true));
+    assert!(
+        (refused.iter()).all(|own| matches!(own, Err(BodyError::SectionHeld))),
+        "{refused:?}"
+    );
 }
 
 #[test]

@@ -78,7 +78,8 @@ impl ContactModel {
         let nodes = specimen.body().mesh().nodes();
         let place = |edge: &stickslip_engine::model::ModelEdge| {
             let along = edge.geometry.parameter.iter().zip(&edge.nodes);
-            along.map(|(theta, &node)| (*theta, nodes[node])).collect()
+            let at = |node: usize| [0, 1].map(|axis| nodes[node][axis] + model.origin[axis]);
+            along.map(|(theta, &node)| (*theta, at(node))).collect()
         };
         Ok(Self {
             edge: edge.map(place).unwrap_or_default(),

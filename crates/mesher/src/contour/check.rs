@@ -73,7 +73,7 @@ fn numbers(contour: &Contour) -> Result<(), ContourError> {
     finite(&|| "start of the outline".into(), contour.start)?;
     for piece in &contour.pieces {
         let name = &piece.name;
-        finite(&|| format!("end of piece '{name}'"), piece.to)?;
+        finite(&|| format!("end of edge '{name}'"), piece.to)?;
         let through = piece.through.unwrap_or(piece.to);
         finite(&|| format!("point on arc '{name}'"), through)?;
     }
@@ -93,10 +93,10 @@ fn numbers(contour: &Contour) -> Result<(), ContourError> {
 
 /// Everything has a name; runs of neighbouring pieces share one, nothing else does.
 fn names(contour: &Contour) -> Result<(), ContourError> {
-    let pieces = contour.pieces.iter().map(|piece| ("piece", &piece.name));
+    let pieces = contour.pieces.iter().map(|piece| ("edge", &piece.name));
     let holes = contour.holes.iter().map(|hole| ("hole", &hole.name));
     for (family, list) in [
-        ("piece", pieces.collect::<Vec<_>>()),
+        ("edge", pieces.collect::<Vec<_>>()),
         ("hole", holes.collect()),
     ] {
         if let Some(k) = list.iter().position(|(_, name)| name.trim().is_empty()) {

@@ -292,7 +292,7 @@ fn through_the_trait() {
         assert_eq!(error, Err(expected));
     }
     assert!(
-        text.starts_with("the outline is open: its last piece 'left' ends at (0, 0.5)"),
+        text.starts_with("the outline is open: its last edge 'left' ends at (0, 0.5)"),
         "{text}"
     );
 }

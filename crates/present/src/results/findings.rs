@@ -60,11 +60,24 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
         Finding::MeshFile { body, notes } => {
             format!("The mesh of '{body}': {}.", notes.join("; "))
         }
+        Finding::MovedIntoHole {
+            body,
+            hole,
+            distance,
+        } => format!(
+            "'{body}' was moved by {} into {hole}, which holds it: its file puts it somewhere else.",
+            units.length.show(distance.value())
+        ),
         Finding::PointSupports { bodies } => format!(
             "Elastic bodies held at a single point: {}. Other supports share the load, and a point gives way by an amount that grows with every \
              finer mesh, so load shares depend on the mesh. Hold a pin over its section (on = \"{}.section\").",
             quoted(bodies),
             bodies.first().map_or("pin", String::as_str)
+        ),
+        Finding::NoLimitAtSupport { edge, steps } => format!(
+            "No error is stated for the peak tangential stress along {edge} in load step {}: it is where a support ends, grows without limit with every \
+             finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section.",
+            numbers(steps)
         ),
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, end),
         Finding::ContactParts { steps } => format!(

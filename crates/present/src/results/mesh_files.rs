@@ -32,11 +32,16 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Option<FileNote>), 
             body: body.name.clone(),
             cause,
         };
-        let gmsh = write_msh(&shown).map_err(refused)?;
+        let unit = results.units.length.name;
+        // The format begins with its own section.
+        let gmsh = write_msh(&shown).map_err(refused)?.replacen(
+            "$EndMeshFormat\n",
+            &format!("$EndMeshFormat\n$Comments\ncoordinates in {unit}\n$EndComments\n"),
+            1,
+        );
         files.push((format!("meshes/{stem}.msh"), gmsh.into_bytes()));
         // Cells with nodes inside exist in Gmsh only.
         if let Ok(abaqus) = write_inp(&shown, state) {
-            let unit = results.units.length.name;
             let text = format!("** coordinates in {unit}\n{abaqus}");
             files.push((format!("meshes/{stem}.inp"), text.into_bytes()));
         }

@@ -36,7 +36,7 @@ pub(super) fn is_shared(edge: &EdgeView<'_>) -> bool {
 }
 
 /// The share of the contact `edge` in the load of its body at the end of `step`; `None` for the only contact of a body, and where the
-/// forces balance each other.
+/// forces balance each other, to rounding or within their errors.
 pub(super) fn share(edge: &EdgeView<'_>, step: usize) -> Option<Share> {
     if !is_shared(edge) {
         return None;
@@ -59,6 +59,9 @@ pub(super) fn share(edge: &EdgeView<'_>, step: usize) -> Option<Share> {
     let part = (x * sum[0] + y * sum[1]) / (total * total);
     let errors = all.iter().map(|own| own.step(step).resultant_error());
     let together = errors.sum::<Option<f64>>();
+    if together.is_some_and(|together| total <= together) {
+        return None;
+    }
     let own = edge.step(step).resultant_error();
     let error = own
         .zip(together)
@@ -94,7 +97,7 @@ fn table(contacts: &[EdgeView<'_>]) -> Table {
                 significant(unit.from_base(x.hypot(y)), 5)
             })
             .with(format!("share '{name}'"), "%", move |step| {
-                share(&edge, step).map_or("–".into(), cell)
+                share(&edge, step).map_or("balanced".into(), cell)
             });
     }
     let caption = format!("Load sharing on '{}'", first.body());

@@ -211,7 +211,16 @@ impl Builder<'_> {
 
     fn no_pair(&mut self, key: &str, first: &SetRef, second: &SetRef) {
         let swapped = self.touch(second, first).is_some();
-        let remedy = if swapped {
+        let uneven = [first, second].into_iter().find_map(|on| {
+            let shape = &self.bodies.get(&on.body)?.shape;
+            Some(format!(
+                "'{on}' is no circle: {}, and 10⁻⁵ of the radius are allowed; write its coordinates with more digits, or put its nodes on the circle",
+                shape.why_not_round(&on.set)?
+            ))
+        });
+        let remedy = if let Some(uneven) = uneven {
+            uneven
+        } else if swapped {
             format!("swap them: first = \"{second}\", second = \"{first}\"")
         } else {
             "first is a circular hole and second the rim of a disk or the outer edge of a ring, or first the contact edge of a \

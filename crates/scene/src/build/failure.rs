@@ -12,6 +12,7 @@ use crate::format::{
     CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, SceneFormat,
 };
 use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Substance};
+use crate::shape::Role;
 use crate::units::Quantity;
 
 impl Builder<'_> {
@@ -184,13 +185,21 @@ impl Builder<'_> {
     fn holes(&mut self, given: &FailureFormat, bodies: &[String]) {
         for (index, name) in bodies.iter().enumerate() {
             let hole = |body: &Body| body.shape.only_hole().is_some();
-            if !self.bodies.get(name).is_some_and(hole) {
+            let own = self.bodies.get(name);
+            if !own.is_some_and(hole) {
+                let edges = own.map_or(Vec::new(), |body| body.shape.edges());
+                let holes = edges.into_iter().filter(|edge| edge.role == Role::Hole);
+                let holes = holes.map(|edge| format!("'{}'", edge.name)).collect();
                 let key = match &given.bodies {
                     Some(_) => format!("failure.bodies.{index}"),
                     None => "failure.characteristic".to_owned(),
                 };
                 let body = name.clone();
-                self.report(&key, Part::Value, LaminateProblem::NoHole { body }.into());
+                self.report(
+                    &key,
+                    Part::Value,
+                    LaminateProblem::NoHole { body, holes }.into(),
+                );
             }
         }
     }

@@ -70,7 +70,12 @@ impl Builder<'_> {
         let is_mixed = extent.is_some() && !round.is_empty();
         let needs_mesh = is_mixed || (!given.is_empty() && !elastic.is_empty());
         if needs_mesh && !self.is_refused("mesh") {
-            self.missing("", "mesh");
+            let undivided = self
+                .bodies
+                .iter()
+                .find(|(_, body)| body.substance != Substance::Rigid && !body.shape.has_own_mesh());
+            let table = undivided.map_or(String::new(), |(name, _)| format!("bodies.{name}"));
+            self.missing(&table, "mesh");
         }
         let division = extent.map_or(Division::Angular(grading(TAU / 120.0)), |extent| {
             Division::Linear(grading(extent / 32.0))

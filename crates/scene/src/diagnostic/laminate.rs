@@ -143,7 +143,8 @@ pub enum LaminateProblem {
     },
     /// Characteristic distances without a hole.
     #[error(
-        "characteristic distances are measured from a single hole, which body '{body}' does not have"
+        "characteristic distances are measured from a single hole, and body '{body}' has {}",
+        several(holes)
     )]
     #[diagnostic(
         code(scene::characteristic),
@@ -152,7 +153,16 @@ pub enum LaminateProblem {
     NoHole {
         /// The body.
         body: String,
+        /// Names of its holes, none or several.
+        holes: Vec<String>,
     },
+}
+
+fn several(holes: &[String]) -> String {
+    match holes {
+        [] => "none".to_owned(),
+        _ => format!("the holes {}", holes.join(", ")),
+    }
 }
 
 fn ply_remedy(cause: &PlyError) -> String {

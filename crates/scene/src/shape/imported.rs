@@ -11,8 +11,11 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate, unit_vector};
 use stickslip_fem_core::mesh::{self, EdgePath, ElementKind, Mesh, Point};
-use stickslip_mesh_files::{Coincident, Format, Imported, read_with, recognise_set, snap};
+use stickslip_mesh_files::{
+    Coincident, Format, Imported, best_circle, read_with, recognise_set, snap,
+};
 
+use super::Shape;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, NONE, REQUIRED, text, words};
 use crate::digest::sha256;
@@ -56,6 +59,7 @@ impl Keys {
             mesh: None,
             edges: Vec::new(),
             points: Vec::new(),
+            uneven: Vec::new(),
             notes: Vec::new(),
             turn: 0.0,
         }
@@ -138,6 +142,8 @@ pub struct GivenMesh {
     mesh: Option<Arc<Mesh>>,
     edges: Vec<Edge>,
     points: Vec<(String, Point)>,
+    /// Closed edges that are nearly circles, and by how much they are none.
+    uneven: Vec<(String, String)>,
     /// What of the file was passed over or changed.
     pub notes: Vec<String>,
     /// By what it is turned from where the file has it `[rad]`.
@@ -207,6 +213,11 @@ impl GivenMesh {
         // Supports hold the nodes of an edge by its name.
         let plain = Mesh::new(parts).map_err(|cause| cause.to_string())?;
         let edges = edges(&plain, names.iter().map(String::as_str));
+        let uneven = (names.iter()).filter_map(|name| {
+            let path = plain.edge_path(name).ok().filter(|path| path.closed)?;
+            Some((name.clone(), uneven(&plain, name, &path)?))
+        });
+        let uneven = uneven.collect();
         let mut sets = Vec::new();
         for name in &names {
             let set = plain.edge_set(name).map_err(|cause| cause.to_string())?;
@@ -226,6 +237,7 @@ impl GivenMesh {
             mesh: Some(Arc::new(mesh)),
             edges,
             points,
+            uneven,
             notes,
             turn: 0.0,
         })
@@ -236,6 +248,27 @@ impl GivenMesh {
 fn edges<'a>(mesh: &Mesh, names: impl Iterator<Item = &'a str>) -> Vec<Edge> {
     let edge = |name: &str| edge(mesh, name, mesh.edge_path(name).ok().as_ref());
     names.map(edge).collect()
+}
+
+/// By how much the closed chain `path` of the set `name` is no circle, if it is nearly one.
+fn uneven(mesh: &Mesh, name: &str, path: &EdgePath) -> Option<String> {
+    /// Part of its radius by which a chain may leave a circle that it is meant to be.
+    const NEARLY: f64 = 0.05;
+    if mesh.edge_set(name).ok()?.curve.is_some() {
+        return None;
+    }
+    let corners = path.nodes.iter().step_by(path.order);
+    let corners: Vec<Point> = corners.map(|&node| mesh.nodes()[node]).collect();
+    let found = best_circle(&corners)?;
+    let mesh::Curve::Arc { radius, .. } = found.curve else {
+        return None;
+    };
+    (found.residual <= NEARLY * radius).then(|| {
+        format!(
+            "its nodes leave their best circle, of radius {radius:.6} mm, by up to {:.2e} mm",
+            found.residual
+        )
+    })
 }
 
 /// The edge of the set `name`, whose edges form the chain `path` if they form one.
@@ -327,6 +360,11 @@ impl Outline for GivenMesh {
         Some(&self.digest)
     }
 
+    fn why_not_round(&self, edge: &str) -> Option<&str> {
+        let own = self.uneven.iter().find(|(name, _)| name == edge)?;
+        Some(&own.1)
+    }
+
     fn notes(&self) -> &[String] {
         &self.notes
     }
@@ -346,6 +384,29 @@ impl Outline for GivenMesh {
             generator: Box::new(generator),
             layers: None,
         })
+    }
+
+    fn is_placed(&self) -> bool {
+        true
+    }
+
+    fn moved(&self, by: Point) -> Option<Shape> {
+        if by == [0.0; 2] {
+            return Some(Shape::GivenMesh(self.clone()));
+        }
+        let mesh = Mesh::clone(self.mesh.as_ref()?).translated(by).ok()?;
+        let shifted = |[x, y]: Point| [x + by[0], y + by[1]];
+        let edge = |own: &Edge| Edge {
+            curve: own.curve.moved(by),
+            ..own.clone()
+        };
+        let point = |(name, at): &(String, Point)| (name.clone(), shifted(*at));
+        Some(Shape::GivenMesh(Self {
+            mesh: Some(Arc::new(mesh)),
+            edges: self.edges.iter().map(edge).collect(),
+            points: self.points.iter().map(point).collect(),
+            ..self.clone()
+        }))
     }
 
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String {

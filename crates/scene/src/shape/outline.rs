@@ -12,6 +12,7 @@ use thiserror::Error;
 use stickslip_mesher as mesher;
 use stickslip_mesher::Stretch;
 
+use super::Shape;
 use crate::units::{Length, Quantity};
 
 /// A body's shape. Coordinates are those of the body, whose centre stands where [`placement`](crate::placement) puts it; all
@@ -53,6 +54,11 @@ pub trait Outline: fmt::Debug {
         None
     }
 
+    /// By how much the closed edge `edge` is no circle, where it is nearly one.
+    fn why_not_round(&self, _edge: &str) -> Option<&str> {
+        None
+    }
+
     /// What a reader must know of its file.
     fn notes(&self) -> &[String] {
         &[]
@@ -78,6 +84,16 @@ pub trait Outline: fmt::Debug {
     /// # Errors
     /// [`DivisionError`] for a division that does not suit it.
     fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError>;
+
+    /// Whether scenes say themselves where its points are.
+    fn is_placed(&self) -> bool {
+        false
+    }
+
+    /// The same body with its points moved by `by` `[mm]`; `None` of one that is not [placed](Self::is_placed), or that no number can move so far.
+    fn moved(&self, _by: Point) -> Option<Shape> {
+        None
+    }
 
     /// One line about it, with lengths as `show` writes them.
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String;
@@ -260,6 +276,42 @@ impl Curve {
             ends: [from, to],
             turn,
         })
+    }
+
+    /// The same curve moved by `by` `[mm]`.
+    pub(super) fn moved(&self, by: Point) -> Self {
+        let shifted = |[x, y]: Point| [x + by[0], y + by[1]];
+        let stretch = |own: &Stretch| Stretch {
+            ends: own.ends.map(shifted),
+            through: own.through.map(shifted),
+        };
+        match *self {
+            Self::Circle { centre, radius } => Self::Circle {
+                centre: shifted(centre),
+                radius,
+            },
+            Self::Arc {
+                centre,
+                radius,
+                ends,
+                turn,
+            } => Self::Arc {
+                centre: shifted(centre),
+                radius,
+                ends: ends.map(shifted),
+                turn,
+            },
+            Self::Segment { ends } => Self::Segment {
+                ends: ends.map(shifted),
+            },
+            Self::Chain {
+                bounds,
+                ref stretches,
+            } => Self::Chain {
+                bounds: bounds.map(shifted),
+                stretches: stretches.iter().map(stretch).collect(),
+            },
+        }
     }
 
     /// The least and the greatest coordinate along `axis` (0 for x, 1 for y).

@@ -18,6 +18,7 @@ use stickslip_fem_core::generate::{Extent, uniform_angles, unit_vector};
 use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
 
+use super::Shape;
 use super::hole::MESH_KEYS;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{
@@ -224,6 +225,16 @@ impl Profile {
     }
 }
 
+/// The same body with coordinates rounded to a binary fraction of its size, by 3·10⁻¹⁴ of it at most, so that its triangles do not hang on the rounding
+/// of the coordinates that it has somewhere else.
+fn rounded(contour: &Contour) -> Contour {
+    const DIGITS: i32 = 44;
+    let [low, high] = contour.bounds();
+    let size = (high[0] - low[0]).max(high[1] - low[1]);
+    let unit = f64::exp2(size.log2().floor() - f64::from(DIGITS));
+    placed(contour, |at| at.map(|x| (x / unit).round() * unit))
+}
+
 /// The same body with its points where `place` puts them.
 fn placed(contour: &Contour, place: impl Fn(Point) -> Point) -> Contour {
     let mut own = contour.clone();
@@ -339,6 +350,18 @@ impl Outline for Profile {
             generator: Box::new(ContourMesh { contour, division }),
             layers: None,
         })
+    }
+
+    fn is_placed(&self) -> bool {
+        true
+    }
+
+    fn moved(&self, by: Point) -> Option<Shape> {
+        let contour = placed(&self.contour, |at| [at[0] + by[0], at[1] + by[1]]);
+        Some(Shape::Profile(Self {
+            contour: rounded(&contour),
+            refine: self.refine.clone(),
+        }))
     }
 
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String {

@@ -33,6 +33,7 @@ pub(crate) fn problem(
         });
     let pair = ContactPair {
         name: "pin".into(),
+        origin: [0.0; 2],
         first: 0,
         second: 1,
         points: points.collect(),

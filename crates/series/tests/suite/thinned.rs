@@ -66,6 +66,7 @@ impl Pin {
         });
         let pair = ContactPair {
             name: "pin".into(),
+            origin: [0.0; 2],
             first: 0,
             second: 1,
             points: points.collect(),

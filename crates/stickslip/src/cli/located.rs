@@ -7,7 +7,7 @@ use stickslip_engine::run::RunError;
 use stickslip_present::results::quoted;
 use stickslip_scene::Scene;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
-use stickslip_scene::schema::Division;
+use stickslip_scene::schema::{BodyModel, Division};
 
 /// The error at the key that it is about, with a remedy.
 pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
@@ -30,6 +30,14 @@ pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
             format!("bodies.{body}"),
             "change the body's sizes, or the mesh settings that divide it",
         ),
+        ModelError::NotSeries { body, .. } => {
+            let own = format!("bodies.{body}");
+            let own = match scene.bodies.get(body).map(|body| body.model) {
+                Some(BodyModel::Auto) | None => own,
+                Some(_) => own + ".model",
+            };
+            (own, "say model = \"elements\" or \"auto\", and give a mesh")
+        }
         ModelError::Material { material, .. } => (
             format!("materials.{material}"),
             "check the material's constants",

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_scene::Scene;
 use stickslip_scene::digest::sha256;
+use stickslip_scene::placement::middle;
 use stickslip_scene::schema::{Analysis, Body, Contact, LoadKind, Material, Substance};
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
@@ -40,10 +41,11 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     } = scene.analysis;
     let elastic = constants.in_plane(plane).ok()?;
     let mut text = format!(
-        "{name} {thickness} {:?} {:?} {:?} {model:?}",
+        "{name} {thickness} {:?} {:?} {:?} {model:?} {:?}",
         elastic.stiffness(),
         elastic.thermal_strain(1.0),
-        scene.mesh_of(name)
+        scene.mesh_of(name),
+        middle(scene)
     );
     // Writing into a string does not fail.
     let _ = if shape.is_similar() && size_does_not_matter(scene, name) {

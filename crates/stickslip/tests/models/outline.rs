@@ -5,12 +5,12 @@ use std::fs;
 use std::path::Path;
 
 use stickslip::host::HOST;
-use stickslip::results::{Finding, Results};
+use stickslip::results::{Finding, LadderEnd, Results, Stated};
 use stickslip::run::run;
 use stickslip::scene::{Format, Scene};
 use tempfile::TempDir;
 
-use super::solved;
+use super::{difference, solved};
 
 const FIVE: &str = include_str!("../../../../scenes/fasteners-five.toml");
 const LUG: &str = include_str!("../../../../scenes/lug-oblique.toml");
@@ -95,13 +95,39 @@ fn an_outline_is_the_strip_that_it_draws() {
     }
 }
 
-#[test]
-fn where_a_scene_stands_changes_nothing() {
-    let here = solved(&pinned(&outline([0.0, 0.0])), &[""; 0]);
-    let there = solved(&pinned(&outline([37.5, -112.0])), &[""; 0]);
-    for (own, other) in pressed(&here).iter().zip(pressed(&there)) {
-        assert!(apart(own[0], other[0]) < 1e-9, "{own:?} {other:?}");
+/// All numbers of the contact: pressures and stresses, then lengths as parts of `unit` mm, and forces of its square.
+fn numbers(results: &Results, unit: f64) -> [Vec<f64>; 3] {
+    let mut all = [const { Vec::new() }; 3];
+    for edge in results.steps.iter().map(|step| &step.edges[0]) {
+        all[0].push(edge.peak_pressure.unwrap().0);
+        for row in &edge.rows {
+            all[0].extend([row.pressure, row.shear, row.sigma_normal]);
+            all[0].extend([row.sigma_tangential, row.tau]);
+            all[1].extend([row.gap, row.slip].map(|length| length / unit));
+        }
+        all[2].extend(edge.resultant.map(|force| force / (unit * unit)));
     }
+    all
+}
+
+/// Also on the deformed geometry, ten thousand times farther from the origin than the plate is long, and for a plate of 75 km.
+#[test]
+fn where_a_scene_stands_and_its_units_change_nothing() {
+    let on_the_deformed = ["analysis.kinematics=deformed-gaps"];
+    let plate = |by| pinned(&outline(by));
+    let here = numbers(&solved(&plate([0.0; 2]), &on_the_deformed), 1.0);
+    let same = |text: &str, unit: f64| {
+        let there = numbers(&solved(text, &on_the_deformed), unit);
+        for (own, other) in here.iter().zip(there) {
+            let apart = difference(own.iter().copied(), other);
+            assert!(apart < 1e-9, "{apart:e} in\n{text}");
+        }
+    };
+    for by in [[37.5, -112.0], [50.3, 17.7], [3e3, 0.0], [1e6, -2e6]] {
+        same(&plate(by), 1.0);
+    }
+    let large = plate([0.0; 2]).replace(" mm", " km");
+    same(&large.replace(" kN", "e12 kN"), 1e6);
 }
 
 /// Two kinds of operator with nothing in common but the law of contact.
@@ -358,4 +384,61 @@ fn two_bodies_of_one_file_stand_where_they_touch() {
             );
         }
     }
+}
+
+/// Six bolts that were pushed and that nothing loads any more: no force is left, and no search among points that close without force is needed.
+#[test]
+fn unloaded_bolts_are_released() {
+    let six = FIVE
+        .replace("\"114 mm\"", "\"138 mm\"")
+        .replace(
+            "hole-5 =",
+            "hole-6 = { centre = [\"120 mm\", \"0 mm\"], radius = \"3 mm\" }\nhole-5 =",
+        )
+        .replace(
+            "[mesh]",
+            "[bodies.bolt-6]\nmaterial = \"steel\"\nthickness = \"3 mm\"\nshape.disk.radius = \"2.985 mm\"\n[mesh]",
+        );
+    let changes = [
+        "mesh.spacing=12 deg",
+        "loads.0.force.steps=[\"-3 kN\", \"0 N\"]",
+        "supports.5={ on = \"bolt-6.section\", fix = [\"x\", \"y\"] }",
+        "contacts.5={ first = \"plate.hole-6\", second = \"bolt-6.rim\", friction.coulomb.mu = 0.2 }",
+    ];
+    let found = solved(&six, &changes);
+    let last = &found.steps[1];
+    assert!(last.solvers.contains(&"release"), "{:?}", last.solvers);
+    assert_eq!(forces(&found, 1), [[0.0; 2]; 6]);
+}
+
+/// A plate without holes whose clamped edge ends at its corners, where stress has no bound: that is said, and no finer mesh is tried for it.
+#[test]
+fn a_clamped_corner_has_no_limit_and_ends_the_search() {
+    let plate = r#"
+version = 1
+materials.aluminium.isotropic = { young = "72 GPa", poisson = 0.33 }
+[bodies.plate]
+material = "aluminium"
+thickness = "2 mm"
+shape.outline = { start = ["0 mm", "0 mm"], edges = [{ name = "bottom", to = ["40 mm", "0 mm"] }, { name = "right", to = ["40 mm", "20 mm"] }, { name = "top", to = ["0 mm", "20 mm"] }, { name = "left" }] }
+[[supports]]
+on = "plate.left"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.right"
+force = { direction = [1, 0], steps = ["2 kN"] }
+[[edges]]
+on = "plate.bottom"
+"#;
+    let found = solved(plate, &[""; 0]);
+    let ladder = found.ladder.as_ref().unwrap();
+    assert_eq!(ladder.end, LadderEnd::Reached);
+    let said = |finding: &Finding| matches!(finding, Finding::NoLimitAtSupport { edge, .. } if edge == "plate.bottom");
+    assert!(found.findings.iter().any(said), "{:?}", found.findings);
+    assert!(
+        found.steps[0].edges[0]
+            .errors
+            .get(Stated::PeakHoop)
+            .is_none()
+    );
 }

@@ -79,8 +79,17 @@ fn of_the_run() -> Vec<Finding> {
             body: "plate".into(),
             notes: vec!["3 nodes belong to no cell".into()],
         },
+        Finding::MovedIntoHole {
+            body: "pin".into(),
+            hole: "plate.hole".into(),
+            distance: Quantity::Length(25.4),
+        },
         Finding::PointSupports {
             bodies: vec!["pin".into()],
+        },
+        Finding::NoLimitAtSupport {
+            edge: "plate.bottom".into(),
+            steps: steps.clone(),
         },
         Finding::AccuracyMissed {
             number: "peak tangential stress",

@@ -143,6 +143,7 @@ impl Block {
         let points = positions.iter().enumerate().map(point).collect();
         let pair = ContactPair {
             name: "indenter".into(),
+            origin: [0.0; 2],
             first: 0,
             second: 1,
             points,

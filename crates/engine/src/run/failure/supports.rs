@@ -65,7 +65,7 @@ impl Subject<'_> {
     fn singular_places(&self) -> Vec<Point> {
         let line = ROUNDING * self.smaller_dimension();
         let inner = |place: &Point| self.model.half && place[self.across].abs() <= line;
-        let places = self.own.singular.iter();
+        let places = self.model.singular[self.index].iter();
         let places = places.map(|&node| self.mesh.nodes()[node]);
         places.filter(|place| !inner(place)).collect()
     }

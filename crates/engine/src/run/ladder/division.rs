@@ -18,6 +18,8 @@ const LEAST: f64 = 0.1;
 const FITTED: f64 = 3.5;
 /// Numbers that a fit between nodes would give are off by so many times what models estimate, where the nodes themselves have to do.
 const NODAL: f64 = 1.7;
+/// Where a support ends, a stress without a limit grows by more than this part of itself with a division twice as fine: at a corner of 90° by a sixth.
+const STEEP: f64 = 0.05;
 /// It is off by at least this part of what models estimate.
 const ENDS: f64 = 0.6;
 
@@ -86,12 +88,18 @@ pub(super) fn findings(of: &Numbers, errors: &Table) -> Vec<Finding> {
             }
         }
         let is_empty = steps.is_empty();
-        let found = ContactFinding::NoLimit { steps, numbers };
-        (!is_empty).then(|| Finding::about(&geometry.name, found))
+        let name = &geometry.name;
+        (!is_empty).then(|| {
+            if geometry.contact {
+                Finding::about(name, ContactFinding::NoLimit { steps, numbers })
+            } else {
+                let edge = name.clone();
+                Finding::NoLimitAtSupport { edge, steps }
+            }
+        })
     };
     let edges = of.geometries.iter().enumerate();
-    let contacts = edges.filter(|(_, geometry)| geometry.contact);
-    contacts.filter_map(finding).collect()
+    edges.filter_map(finding).collect()
 }
 
 /// A step and an edge.
@@ -119,7 +127,14 @@ impl Changes<'_> {
                 return None;
             }
             let [last, before] = self.changes(at, stated);
-            if limits.concern(stated) && before.is_some_and(|before| last > Some(0.5 * before)) {
+            let grows = match before {
+                Some(before) => last > Some(0.5 * before),
+                None => {
+                    let value = stated.value(&self.fine.steps[at[0]][at[1]]);
+                    limits.are_of_a_support() && last > value.map(|value| STEEP * value.abs())
+                }
+            };
+            if limits.concern(stated) && grows {
                 return None;
             }
             let error = self.error(at, stated)?;

@@ -1,7 +1,8 @@
 //! What is left of loads and places of failure.
 //!
 //! A number v is compared with that of the models before, `k max(|v₂ − v₁|, r |v₁ − v₀|)`, for failure begins where stress has a cusp. To that comes the part by which the load path and the
-//! geometry leave the peak stress and pressure of the step.
+//! geometry leave the peak stress and pressure of the step. Where a whole body is its own mirror image, so are its weakest places, of which models take either: places are compared up to
+//! that.
 
 use super::numbers::{Numbers, Table};
 use crate::results::{
@@ -13,14 +14,19 @@ const FACTOR: f64 = 3.0;
 /// r of the module's equation.
 const RATE: f64 = 0.5;
 
-/// Puts errors into `found`, the failure of bodies of the finest model, by that of the coarser ones `before`, the next finest first; `parts` are those of
-/// [`parts`].
-pub(super) fn estimate(found: &mut [BodyFailure], before: &[Vec<BodyFailure>], parts: &[f64]) {
-    for (index, own) in found.iter_mut().enumerate() {
-        let before: Vec<&BodyFailure> = before.iter().filter_map(|all| all.get(index)).collect();
-        if !before.is_empty() {
-            of_body(own, &before, parts);
-        }
+/// What an error is found by.
+#[derive(Clone, Copy)]
+pub(super) struct Known<'a> {
+    /// Those of [`parts`].
+    pub(super) parts: &'a [f64],
+    /// The coordinate by whose sign a whole body and its mirror image differ; `None` where it is not its own.
+    pub(super) mirror: Option<usize>,
+}
+
+/// Puts errors into `own`, the failure of a body of the finest model, by that of the coarser ones `before`, the next finest first.
+pub(super) fn estimate(own: &mut BodyFailure, before: &[&BodyFailure], known: Known<'_>) {
+    if !before.is_empty() {
+        of_body(own, before, known);
     }
 }
 
@@ -42,16 +48,16 @@ pub(super) fn parts(numbers: &Numbers, left: &Table) -> Vec<f64> {
     steps.map(part).collect()
 }
 
-fn of_body(own: &mut BodyFailure, before: &[&BodyFailure], parts: &[f64]) {
+fn of_body(own: &mut BodyFailure, before: &[&BodyFailure], known: Known<'_>) {
     for step in 0..own.steps.len() {
         for (k, point) in own.steps[step].iter_mut().enumerate() {
             let before: Vec<&FailurePoint> = (before.iter())
                 .filter_map(|other| other.steps.get(step)?.get(k))
                 .collect();
-            point.errors = of_point(point, &before, part(parts, step));
+            point.errors = of_point(point, &before, part(known.parts, step), known.mirror);
         }
     }
-    of_firsts(&mut own.first_ply, before, parts, |other| {
+    of_firsts(&mut own.first_ply, before, known, |other| {
         Some(&other.first_ply)
     });
     let Some(characteristic) = &mut own.characteristic else {
@@ -64,12 +70,12 @@ fn of_body(own: &mut BodyFailure, before: &[&BodyFailure], parts: &[f64]) {
         let before: Vec<&FirstPly> = (before.iter())
             .filter_map(|other| Some(&other.characteristic.as_ref()?.curve.get(k)?.as_ref()?.first))
             .collect();
-        of_first(first, &before, parts);
+        of_first(first, &before, known);
     }
-    of_firsts(&mut characteristic.net_section, before, parts, |other| {
+    of_firsts(&mut characteristic.net_section, before, known, |other| {
         Some(&other.characteristic.as_ref()?.net_section)
     });
-    of_firsts(&mut characteristic.bearing_point, before, parts, |other| {
+    of_firsts(&mut characteristic.bearing_point, before, known, |other| {
         Some(&other.characteristic.as_ref()?.bearing_point)
     });
 }
@@ -77,7 +83,7 @@ fn of_body(own: &mut BodyFailure, before: &[&BodyFailure], parts: &[f64]) {
 fn of_firsts(
     own: &mut [Option<FirstPly>],
     before: &[&BodyFailure],
-    parts: &[f64],
+    known: Known<'_>,
     of: impl Fn(&BodyFailure) -> Option<&Vec<Option<FirstPly>>>,
 ) {
     for (k, first) in own.iter_mut().enumerate() {
@@ -87,34 +93,47 @@ fn of_firsts(
         let before: Vec<&FirstPly> = (before.iter())
             .filter_map(|other| of(other)?.get(k)?.as_ref())
             .collect();
-        of_first(first, &before, parts);
+        of_first(first, &before, known);
     }
 }
 
-fn of_first(own: &mut FirstPly, before: &[&FirstPly], parts: &[f64]) {
+fn of_first(own: &mut FirstPly, before: &[&FirstPly], known: Known<'_>) {
     let load = |first: &FirstPly| Some(first.load.as_ref()?.value);
     own.load_error = load(own).and_then(|value| {
         let before: Vec<f64> = before.iter().filter_map(|first| load(first)).collect();
-        Some(left(value, &before)? + part(parts, own.step) * value.abs())
+        Some(left(value, &before)? + part(known.parts, own.step) * value.abs())
     });
     let points: Vec<&FailurePoint> = before.iter().map(|first| &first.at).collect();
     // Index and reserve factor are one there.
-    own.at.errors = of_point(&own.at, &points, 0.0).map(|errors| PointErrors {
+    own.at.errors = of_point(&own.at, &points, 0.0, known.mirror).map(|errors| PointErrors {
         index: None,
         reserve_factor: None,
         ..errors
     });
 }
 
-fn of_point(own: &FailurePoint, before: &[&FailurePoint], part: f64) -> Option<PointErrors> {
+fn of_point(
+    own: &FailurePoint,
+    before: &[&FailurePoint],
+    part: f64,
+    mirror: Option<usize>,
+) -> Option<PointErrors> {
     let number = |value: fn(&FailurePoint) -> f64, power: f64| {
         let before: Vec<f64> = before.iter().map(|point| value(point)).collect();
         let error = left(value(own), &before)? + power * part * value(own).abs();
         error.is_finite().then_some(error)
     };
     let apart = |one: &FailurePoint, other: &FailurePoint| {
-        let [x, y] = [0, 1].map(|axis| one.position[axis] - other.position[axis]);
-        x.hypot(y)
+        let away = |at: [f64; 2]| {
+            let [x, y] = [0, 1].map(|axis| one.position[axis] - at[axis]);
+            x.hypot(y)
+        };
+        let direct = away(other.position);
+        mirror.map_or(direct, |across| {
+            let mut image = other.position;
+            image[across] *= -1.0;
+            direct.min(away(image))
+        })
     };
     let mut chain = vec![own];
     chain.extend(before);

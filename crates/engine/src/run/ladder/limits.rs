@@ -2,7 +2,7 @@
 //!
 //! Where the friction of two neighbouring points differs by a jump, the tangential stress between them is infinite like the logarithm of the distance:
 //! at a place from where slip leads away on both sides without a stick zone, and at an end of stick where friction drops when slip begins.
-//! With bodies of unlike elasticity the pressure is infinite there too.
+//! With bodies of unlike elasticity the pressure is infinite there too. At an end of a supported edge, and at a point that is held, stress is infinite without any contact.
 
 use stickslip_contact::{Contacts, Status, StepRecord};
 
@@ -18,6 +18,8 @@ pub(super) struct Missing {
     hoop: bool,
     /// The largest pressure.
     pressure: bool,
+    /// Whether a support is why.
+    of_a_support: bool,
 }
 
 impl Missing {
@@ -29,7 +31,12 @@ impl Missing {
         (edge, geometry, results): (usize, &EdgeGeometry, &EdgeResults),
     ) -> Self {
         let Some(pair) = model.edges[edge].pair else {
-            return Self::default();
+            let of_a_support = is_at_support(model, edge, results);
+            return Self {
+                hoop: of_a_support,
+                of_a_support,
+                ..Self::default()
+            };
         };
         let drops = || drops(contacts, record, pair, results);
         let turns = turns(geometry, results);
@@ -40,7 +47,13 @@ impl Missing {
             bearing: near(results.bearing.or(Some(0.0))),
             hoop: near(Stated::PeakHoopPlace.value(results)) || drops(),
             pressure: near(Stated::PeakPressurePlace.value(results)) && are_unlike(model, pair),
+            of_a_support: false,
         }
+    }
+
+    /// Whether a support is why, which shows in two divisions.
+    pub(super) fn are_of_a_support(self) -> bool {
+        self.of_a_support
     }
 
     /// Whether `stated` is one of them.
@@ -52,6 +65,22 @@ impl Missing {
             _ => false,
         }
     }
+}
+
+/// Whether the largest stress along the edge with the index `edge`, which touches nothing, is in a cell at a place where stress has no bound.
+fn is_at_support(model: &Model, edge: usize, results: &EdgeResults) -> bool {
+    let own = &model.edges[edge];
+    let Some(place) = Stated::PeakHoopPlace.value(results) else {
+        return false;
+    };
+    let singular = &model.singular[own.geometry.body];
+    let near = own
+        .geometry
+        .parameter
+        .partition_point(|&at| at < place - f64::EPSILON * place.abs());
+    let cell = near.saturating_sub(own.order)..=near + own.order;
+    let mut nodes = own.nodes.iter().enumerate();
+    nodes.any(|(k, node)| cell.contains(&k) && singular.contains(node))
 }
 
 /// Where slip leads away on both sides.

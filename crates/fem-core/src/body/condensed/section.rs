@@ -19,7 +19,7 @@ use crate::body::error::BodyError;
 use crate::load::area_load;
 use crate::support::SectionHold;
 
-/// Part of its size below which a direction of motion is none.
+/// Part of its size below which a direction of motion is none. Means of rigid motions, which are about 1 on the body, are numbers without a unit.
 const INDEPENDENT: f64 = 1e-9;
 
 /// What holds the mean displacement, and how it is recovered.

@@ -1,0 +1,119 @@
+//! From the coordinates of a model to those of its scene.
+
+use crate::model::{Model, ModelError};
+
+use super::{BodyFailure, EdgeGeometry, EdgeKind, EdgeResults, FailurePoint, FirstPly, Results};
+
+impl Results {
+    /// Moves all places, which are those of `model`, to where they are in its scene.
+    ///
+    /// # Errors
+    /// As [`Model::placed`].
+    pub(crate) fn place(&mut self, model: &Model) -> Result<(), ModelError> {
+        let by = model.origin;
+        if by == [0.0; 2] {
+            return Ok(());
+        }
+        for body in &mut self.bodies {
+            if let Some(mesh) = &mut body.mesh {
+                *mesh = model.placed(&body.name, mesh)?;
+            }
+        }
+        for step in &mut self.steps {
+            step.notes
+                .cycle_places
+                .iter_mut()
+                .for_each(|at| shift(at, by));
+            for (edge, geometry) in step.edges.iter_mut().zip(&self.edges) {
+                edge.place(geometry, by);
+            }
+        }
+        for failure in &mut self.failure {
+            failure.place(by, &self.edges);
+        }
+        for edge in &mut self.edges {
+            match &mut edge.kind {
+                EdgeKind::Circle { centre, .. } => shift(centre, by),
+                EdgeKind::Line => edge.parameter.iter_mut().for_each(|x| *x += by[0]),
+                EdgeKind::Path => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+impl EdgeResults {
+    /// Moves places by `by` `[mm]`, on the edge `geometry`.
+    pub(crate) fn place(&mut self, geometry: &EdgeGeometry, [by, _]: [f64; 2]) {
+        if geometry.kind != EdgeKind::Line {
+            return;
+        }
+        let peaks = [&mut self.peak_pressure, &mut self.peak_hoop];
+        for (_, at) in peaks.into_iter().flatten() {
+            *at += by;
+        }
+        for zone in &mut self.zones {
+            zone.start += by;
+            zone.end += by;
+        }
+        if let Some(at) = &mut self.bearing {
+            *at += by;
+        }
+    }
+}
+
+impl BodyFailure {
+    fn place(&mut self, by: [f64; 2], edges: &[EdgeGeometry]) {
+        let points = self.steps.iter_mut().flatten();
+        points.for_each(|point| point.place(by));
+        let sooner = self.beside_supports.iter_mut();
+        let sooner = sooner.flat_map(|beside| &mut beside.sooner);
+        let firsts = self.first_ply.iter_mut().chain(sooner).flatten();
+        firsts.for_each(|first| first.place(by));
+        if let Some(centre) = &mut self.centre {
+            shift(centre, by);
+        }
+        for edge in &mut self.edges {
+            if edges[edge.edge].kind == EdgeKind::Line {
+                edge.parameter.iter_mut().for_each(|x| *x += by[0]);
+            }
+        }
+        if let Some(characteristic) = &mut self.characteristic {
+            characteristic
+                .places
+                .iter_mut()
+                .for_each(|at| shift(at, by));
+            for joint in characteristic.curve.iter_mut().flatten() {
+                joint.first.place(by);
+            }
+            let ends = [
+                &mut characteristic.net_section,
+                &mut characteristic.bearing_point,
+            ];
+            for first in ends.into_iter().flatten().flatten() {
+                first.place(by);
+            }
+        }
+        if let Some(progressive) = &mut self.progressive {
+            for loss in &mut progressive.losses {
+                shift(&mut loss.position, by);
+            }
+        }
+    }
+}
+
+impl FirstPly {
+    fn place(&mut self, by: [f64; 2]) {
+        self.at.place(by);
+    }
+}
+
+impl FailurePoint {
+    fn place(&mut self, by: [f64; 2]) {
+        shift(&mut self.position, by);
+    }
+}
+
+fn shift(at: &mut [f64; 2], by: [f64; 2]) {
+    *at = [at[0] + by[0], at[1] + by[1]];
+}
