@@ -80,17 +80,6 @@ impl Compliance {
         }
     }
 
-    /// The column `column`, which is also that row.
-    pub(crate) fn column(&self, column: usize) -> Cow<'_, [f64]> {
-        match &self.blocks {
-            None => {
-                let order = self.matrix.nrows();
-                Cow::Borrowed(&self.matrix.as_slice()[column * order..(column + 1) * order])
-            }
-            Some(blocks) => Cow::Owned(blocks.column(column).as_slice().to_vec()),
-        }
-    }
-
     /// The entries in `rows` and `columns`.
     pub(crate) fn chosen(&self, rows: &[usize], columns: &[usize]) -> Chosen<'_> {
         let Some(blocks) = &self.blocks else {
