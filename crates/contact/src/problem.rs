@@ -23,10 +23,10 @@ use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_friction::{FrictionLaw, History};
 
-pub use compliance::Compliance;
-pub use contacts::{ContactPair, ContactPoint, Contacts, ProblemPoint};
 pub(crate) use compliance::Chosen;
+pub use compliance::Compliance;
 use compliance::{add_compliance, assemble};
+pub use contacts::{ContactPair, ContactPoint, Contacts, ProblemPoint};
 pub(crate) use contacts::{Couple, frame};
 pub use free_motions::FreeMotions;
 pub use stencil::{BodyRows, Stencil, StencilTerm};
@@ -104,7 +104,9 @@ impl InterfaceProblem {
         let matrix = self.compliance.make_matrix();
         for &pushed in &chosen {
             for &seen in &chosen {
-                matrix.fixed_view_mut::<2, 2>(2 * seen, 2 * pushed).fill(0.0);
+                matrix
+                    .fixed_view_mut::<2, 2>(2 * seen, 2 * pushed)
+                    .fill(0.0);
             }
         }
         self.modes.fill(0.0);

@@ -346,10 +346,9 @@ impl<'a> Groups<'a> {
             for ((other_group, other), columns) in all().zip(&ranges) {
                 if group != other_group && own.body == other.body {
                     let (from, to) = (blocks.shapes_of(own.part), blocks.shapes_of(other.part));
-                    let between = blocks.core().view(
-                        (from.start, to.start),
-                        (from.len(), to.len()),
-                    );
+                    let between = blocks
+                        .core()
+                        .view((from.start, to.start), (from.len(), to.len()));
                     let place = (rows.start, columns.start);
                     core.view_mut(place, between.shape()).copy_from(&between);
                 }

@@ -52,8 +52,9 @@ impl Rules {
             frozen,
             scales,
         };
-        let mut next: Vec<(Status, f64)> =
-            (0..status.len()).map(|point| at.report_rule(point)).collect();
+        let mut next: Vec<(Status, f64)> = (0..status.len())
+            .map(|point| at.report_rule(point))
+            .collect();
         if self == Self::Projection {
             at.project(&mut next);
         }
@@ -140,8 +141,12 @@ impl At<'_> {
         let turning: Vec<usize> = (0..next.len()).filter(|&k| turns(k)).collect();
         let moving = |k: &usize| self.status[*k].touches() || turns(*k);
         let touching: Vec<usize> = (0..next.len()).filter(moving).collect();
-        let components =
-            |points: &[usize]| points.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect::<Vec<_>>();
+        let components = |points: &[usize]| {
+            points
+                .iter()
+                .flat_map(|k| [2 * k, 2 * k + 1])
+                .collect::<Vec<_>>()
+        };
         let compliance = self.step.problem.compliance();
         let compliance = compliance.chosen(&components(&touching), &components(&turning));
         for point in turning {
@@ -149,7 +154,9 @@ impl At<'_> {
                 let row = 2 * point + axis;
                 let own = touching.iter().enumerate();
                 let own = own.filter(|(_, k)| self.status[**k].touches() || **k == point);
-                let together: f64 = own.map(|(i, _)| compliance.at(2 * i + axis, row).abs()).sum();
+                let together: f64 = own
+                    .map(|(i, _)| compliance.at(2 * i + axis, row).abs())
+                    .sum();
                 self.frozen.motion[row] / (together + self.step.softness).max(f64::MIN_POSITIVE)
             };
             let trial = self.frozen.forces[2 * point + 1] - stop(1);

@@ -19,7 +19,12 @@ impl Interface {
         for part in self.parts() {
             let state = part.own_state(state);
             let change = force_change(part.problem(), &state, &part.own_components(motion))?;
-            for (point, forces) in part.problem().points().iter().zip(change.as_slice().chunks(2)) {
+            for (point, forces) in part
+                .problem()
+                .points()
+                .iter()
+                .zip(change.as_slice().chunks(2))
+            {
                 largest = largest.max(forces[0].abs().max(forces[1].abs()) / point.area);
             }
         }

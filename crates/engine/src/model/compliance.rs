@@ -59,13 +59,19 @@ pub(super) fn choose(
 /// What in the scene needs one matrix.
 fn obstacle(scene: &Scene) -> Option<String> {
     let analysis = &scene.analysis;
-    let works = [SolverChoice::Auto, SolverChoice::Newton, SolverChoice::Status];
+    let works = [
+        SolverChoice::Auto,
+        SolverChoice::Newton,
+        SolverChoice::Status,
+    ];
     if !works.contains(&analysis.solver) {
         let name = analysis.solver.info().name;
         return Some(format!("solver = \"{name}\" works on one matrix"));
     }
     if analysis.kinematics == Some(KinematicsChoice::DeformedGaps) {
-        return Some("kinematics = \"deformed-gaps\" changes the compliance of single nodes".into());
+        return Some(
+            "kinematics = \"deformed-gaps\" changes the compliance of single nodes".into(),
+        );
     }
     scene
         .seeks_accuracy()
@@ -75,7 +81,9 @@ fn obstacle(scene: &Scene) -> Option<String> {
 /// A body that is held by its section has one matrix, which that changes as a whole.
 fn can_have_blocks(body: &ModelBody) -> bool {
     match &body.kind {
-        ModelBodyKind::Elastic(elastic) => body.series.is_none() && elastic.section_hold().is_none(),
+        ModelBodyKind::Elastic(elastic) => {
+            body.series.is_none() && elastic.section_hold().is_none()
+        }
         ModelBodyKind::Rigid(_) => false,
     }
 }

@@ -14,7 +14,7 @@ const NUMBER: f64 = 8.0;
 /// the tableau of pivoting, of one and a half times its order.
 const OF_PART: f64 = 5.0;
 /// Shapes of forces by which an edge acts on others, at most, where compliances are in blocks.
-const SHAPES: f64 = 100.0;
+const SHAPES: f64 = 120.0;
 /// Matrices of the size of a body's compliance that its condensation leaves: itself, and the inverse that it comes from.
 const OF_BODY: f64 = 2.0;
 /// Bytes of what is known of a contact point or of a place on an edge at the end of a load step, on its way to the files.

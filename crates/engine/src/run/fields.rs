@@ -1,11 +1,11 @@
 //! Displacements inside the bodies, by which every step's balance is audited, and stresses for the steps that ask for them.
 
 use stickslip_contact::StepRecord;
-use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_fem_core::body::{BodyBalance, BodyLoad};
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::stress::{ElasticField, StressError};
+use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
 use super::solved::{Operator, Solved};
 use crate::model::Model;

@@ -82,7 +82,8 @@ impl BodyStructure {
             let own = constraints[node];
             !own.held.contains(&true) && !own.is_turned()
         };
-        let by_region = if !ends.is_empty() && body.section.is_none() && interface.iter().all(free) {
+        let by_region = if !ends.is_empty() && body.section.is_none() && interface.iter().all(free)
+        {
             RegionOrder::new(mesh, &adjacency, interface, ends)?
         } else {
             None

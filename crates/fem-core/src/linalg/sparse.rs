@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::FactorError;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -13,7 +14,6 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
-use super::FactorError;
 
 /// The lower triangle of a sparse symmetric matrix by columns; row indices ascend in each column and the diagonal is there.
 #[derive(Clone, Debug, Default)]

@@ -233,7 +233,7 @@ impl<'a> Conditions<'a> {
         };
         let forces = solution.rows(0, size).into_owned();
         let rigid = solution.rows(size, rigid).into_owned();
-        let motion = &self.free + compliance * &forces + modes * &rigid;
+        let motion = &self.free + &*compliance * &forces + modes * &rigid;
         Candidate::Only(TrialState {
             forces,
             motion,

@@ -53,7 +53,8 @@ impl Regions {
             for (l, own) in row.into_iter().enumerate() {
                 core.view_mut((first[l], first[k]), (own.ncols(), own.nrows()))
                     .copy_from(&own.transpose());
-                core.view_mut((first[k], first[l]), own.shape()).copy_from(&own);
+                core.view_mut((first[k], first[l]), own.shape())
+                    .copy_from(&own);
             }
         }
         BlockCompliance::new(blocks, core)
@@ -123,7 +124,10 @@ fn main_directions(matrix: DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
             DMatrix::from_columns(own)
         }
     };
-    (columns(&basis, left.nrows()), columns(&shapes, left.ncols()))
+    (
+        columns(&basis, left.nrows()),
+        columns(&shapes, left.ncols()),
+    )
 }
 
 #[cfg(test)]
@@ -134,8 +138,13 @@ mod tests {
     fn main_directions_hold_a_matrix_of_low_rank() {
         // Σ 10⁻³ᵏ a_k b_kᵀ: what is left after six terms is below the part that is left out.
         let matrix = DMatrix::from_fn(9, 14, |i, j| {
-            (0..8).map(|k| 1e-3_f64.powi(k) * ((i + 1) as f64 * (k + 1) as f64).sin()
-                * ((j * (k + 2)) as f64).cos()).sum()
+            (0..8)
+                .map(|k| {
+                    1e-3_f64.powi(k)
+                        * ((i + 1) as f64 * (k + 1) as f64).sin()
+                        * ((j * (k + 2)) as f64).cos()
+                })
+                .sum()
         });
         let (basis, shapes) = main_directions(matrix.clone());
         assert!((3..=6).contains(&basis.ncols()), "{}", basis.ncols());
