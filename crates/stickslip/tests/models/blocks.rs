@@ -55,13 +55,13 @@ fn one_matrix_is_held_up_to_its_size() {
         let plate = model.bodies.iter().find(|body| body.name == "plate");
         plate.unwrap().ends.clone()
     };
-    assert_eq!(ends(&[COARSE]), []);
+    assert!(ends(&[COARSE]).is_empty());
     assert_eq!(ends(&[COARSE, BLOCKS]), [120, 240, 360, 480, 600]);
     // Five holes of 480 nodes have 4800 components.
     assert_eq!(ends(&[r#"mesh.spacing="1.5 deg""#]).len(), 5);
-    assert_eq!(ends(&[r#"mesh.spacing="1.5 deg""#, MATRIX]), []);
+    assert!(ends(&[r#"mesh.spacing="1.5 deg""#, MATRIX]).is_empty());
     let solver = r#"analysis.solver="pivoting""#;
-    assert_eq!(ends(&[r#"mesh.spacing="1.5 deg""#, solver]), []);
+    assert!(ends(&[r#"mesh.spacing="1.5 deg""#, solver]).is_empty());
 }
 
 #[test]
