@@ -114,6 +114,12 @@ pub enum FailureCause {
         /// Largest number that is tried.
         limit: usize,
     },
+    /// The compliance is held in blocks, and the solver works on one matrix.
+    #[error("it works on one matrix, and the compliance of {points} points is held in blocks")]
+    Blocks {
+        /// Number of points.
+        points: usize,
+    },
     /// The work that is given to a search was done.
     #[error(
         "given up after {operations:.1e} floating-point operations, of {limit:.1e} that it may take"
@@ -174,6 +180,7 @@ impl FailureCause {
             Self::Inaccurate { .. } => "inaccurate",
             Self::NoSolution { .. } => "no solution among all statuses",
             Self::TooManyPoints { .. } => "too many points",
+            Self::Blocks { .. } => "compliance in blocks",
             Self::Effort { .. } => "work limit",
             Self::Geometry { .. } => "unsettled geometry",
             Self::Unfaced { .. } => "no closest point",

@@ -18,6 +18,7 @@ use stickslip_fem_core::{InterfaceOperator, parallel};
 
 use crate::error::ContactError;
 use crate::problem::{ContactPair, Contacts, InterfaceProblem, check};
+use crate::state::ContactState;
 
 /// All contacts of a scene, in independent parts.
 #[derive(Clone, Debug)]
@@ -98,7 +99,7 @@ impl Interface {
         check::all(&pairs, bodies)?;
         let moves = |body: usize| bodies[body].modes().ncols() > 0;
         let links: Vec<bool> = (0..bodies.len())
-            .map(|body| moves(body) || bodies[body].compliance().is_some())
+            .map(|body| moves(body) || bodies[body].gives())
             .collect();
         let ends: Vec<[usize; 2]> = pairs.iter().map(|pair| [pair.first, pair.second]).collect();
         let mut groups = groups(&links, &ends);
@@ -188,7 +189,7 @@ impl Interface {
     pub fn entries(&self) -> usize {
         let parts = self.parts.iter().map(|part| &part.problem);
         parts
-            .map(|problem| problem.compliance().len() + problem.modes().len())
+            .map(|problem| problem.compliance().entries() + problem.modes().len())
             .sum()
     }
 
@@ -289,8 +290,21 @@ impl Part {
         &self.modes
     }
 
+    /// Its part of the state `all` of the whole.
+    pub(crate) fn own_state(&self, all: &ContactState) -> ContactState {
+        let modes = self.modes.iter().map(|&mode| all.rigid[mode]);
+        ContactState {
+            forces: self.own_components(&all.forces),
+            motion: self.own_components(&all.motion),
+            rigid: DVector::from_iterator(self.modes.len(), modes),
+            status: self.points.iter().map(|&k| all.status[k]).collect(),
+            history: self.points.iter().map(|&k| all.history[k]).collect(),
+            multipliers: all.multipliers.clone(),
+        }
+    }
+
     /// Its normal and tangential components of `all`, those of the whole.
-    fn own_components(&self, all: &DVector<f64>) -> DVector<f64> {
+    pub(crate) fn own_components(&self, all: &DVector<f64>) -> DVector<f64> {
         let rows = self.points.iter().flat_map(|&k| [2 * k, 2 * k + 1]);
         DVector::from_iterator(2 * self.points.len(), rows.map(|row| all[row]))
     }

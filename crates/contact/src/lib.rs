@@ -96,7 +96,9 @@ pub use error::ContactError;
 pub use history::{Increment, LoadHistory, Ramp, StepRecord};
 pub use interface::Interface;
 pub use mortar::{EdgeSide, InitialGap, MortarError, Multipliers, Projected, Projection};
-pub use problem::{ContactPair, ContactPoint, Contacts, InterfaceProblem, Stencil, StencilTerm};
+pub use problem::{
+    Compliance, ContactPair, ContactPoint, Contacts, InterfaceProblem, Stencil, StencilTerm,
+};
 pub use solver::{
     AugmentedLagrangian, Chain, Continuation, Enumeration, GaussSeidel, InterfaceSolver, Penalty,
     Pivoting, PrincipalPivoting, SemismoothNewton, SolverKind, StatusIteration, TrescaFixedPoint,

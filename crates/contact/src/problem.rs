@@ -12,16 +12,20 @@
 //! weighted [`Stencil`] of nodes as the [`mortar`](crate::mortar) projection makes it.
 
 pub(crate) mod check;
+mod compliance;
 mod contacts;
 mod free_motions;
 mod stencil;
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector, Matrix2};
+use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_friction::{FrictionLaw, History};
 
+pub(crate) use compliance::Chosen;
+pub use compliance::Compliance;
+use compliance::{add_compliance, assemble};
 pub use contacts::{ContactPair, ContactPoint, Contacts, ProblemPoint};
 pub(crate) use contacts::{Couple, frame};
 pub use free_motions::FreeMotions;
@@ -34,7 +38,7 @@ use crate::state::{ContactState, Status};
 #[derive(Clone, Debug)]
 pub struct InterfaceProblem {
     contacts: Contacts,
-    compliance: DMatrix<f64>,
+    compliance: Compliance,
     compliance_unit: f64,
     modes: DMatrix<f64>,
     /// Unit of each mode: what an amount of 1 is in the body's own amounts.
@@ -64,7 +68,7 @@ impl InterfaceProblem {
         let contacts = Contacts::new(pairs, bodies);
         let size = 2 * contacts.points().len();
         let mut problem = Self {
-            compliance: DMatrix::zeros(size, size),
+            compliance: assemble(&contacts, bodies),
             compliance_unit: 1.0,
             modes: DMatrix::zeros(size, mode_offsets[bodies.len()]),
             mode_units: vec![1.0; mode_offsets[bodies.len()]],
@@ -97,10 +101,12 @@ impl InterfaceProblem {
         }
         self.contacts = contacts;
         let chosen: Vec<usize> = (0..in_play.len()).filter(|&k| in_play[k]).collect();
+        let matrix = self.compliance.make_matrix();
         for &pushed in &chosen {
             for &seen in &chosen {
-                let block = &mut self.compliance;
-                block.fixed_view_mut::<2, 2>(2 * seen, 2 * pushed).fill(0.0);
+                matrix
+                    .fixed_view_mut::<2, 2>(2 * seen, 2 * pushed)
+                    .fill(0.0);
             }
         }
         self.modes.fill(0.0);
@@ -111,8 +117,8 @@ impl InterfaceProblem {
             let mut rows = self.body_rows(index);
             self.add_motions(index, *body, &rows);
             rows.retain(|row| in_play[row.point]);
-            if let Some(compliance) = body.compliance() {
-                self.add_compliance(&rows, compliance);
+            if let Some(compliance) = body.matrix() {
+                add_compliance(self.compliance.make_matrix(), &rows, &compliance);
             }
             self.add_couples(index, *body, &rows, &chosen);
         }
@@ -141,7 +147,7 @@ impl InterfaceProblem {
         let columns: Vec<DVector<f64>> = couples.iter().map(|couple| couple.column(size)).collect();
         for (couple, own) in couples.iter().zip(&columns) {
             self.add_turns(index, body, couple, own);
-            let Some(compliance) = body.compliance() else {
+            let Some(compliance) = body.matrix() else {
                 continue;
             };
             let mut moved = DVector::zeros(compliance.nrows());
@@ -187,9 +193,10 @@ impl InterfaceProblem {
     /// Adds a bᵀ + b aᵀ to the compliance between the points `chosen`.
     fn add_product(&mut self, a: &DVector<f64>, b: &DVector<f64>, chosen: &[usize]) {
         let rows = || chosen.iter().flat_map(|k| [2 * k, 2 * k + 1]);
+        let matrix = self.compliance.make_matrix();
         for column in rows().filter(|&row| a[row] != 0.0 || b[row] != 0.0) {
             for row in rows() {
-                self.compliance[(row, column)] += a[row] * b[column] + b[row] * a[column];
+                matrix[(row, column)] += a[row] * b[column] + b[row] * a[column];
             }
         }
     }
@@ -201,9 +208,6 @@ impl InterfaceProblem {
 
     fn add_body(&mut self, index: usize, body: &dyn InterfaceOperator) {
         let rows = self.body_rows(index);
-        if let Some(compliance) = body.compliance() {
-            self.add_compliance(&rows, compliance);
-        }
         self.add_motions(index, body, &rows);
         let modes = self.body_modes(index);
         for (case, load) in self.case_mode_load.iter_mut().enumerate() {
@@ -235,49 +239,6 @@ impl InterfaceProblem {
         }
     }
 
-    /// Adds B C Bᵀ: for each point the body's motion C Bᵀ under unit contact forces there, seen from the points after it.
-    fn add_compliance(&mut self, rows: &[BodyRows], compliance: &DMatrix<f64>) {
-        let nodes = || {
-            rows.iter()
-                .flat_map(|row| &row.terms)
-                .map(|(node, _)| *node)
-        };
-        let (Some(first), Some(last)) = (nodes().min(), nodes().max()) else {
-            return;
-        };
-        let (start, length) = (2 * first, 2 * (last + 1 - first));
-        let mut motion = DMatrix::zeros(compliance.nrows(), 2);
-        for (j, pushed) in rows.iter().enumerate() {
-            motion.fill(0.0);
-            for (node, weight) in &pushed.terms {
-                for component in 0..2 {
-                    let mut column = motion.column_mut(component);
-                    let mut column = column.rows_range_mut(start..start + length);
-                    for axis in 0..2 {
-                        let factor = weight[(component, axis)];
-                        let unit = compliance.column(2 * node + axis);
-                        column.axpy(factor, &unit.rows(start, length), 1.0);
-                    }
-                }
-            }
-            for seen in &rows[j..] {
-                let mut block = Matrix2::zeros();
-                for (node, weight) in &seen.terms {
-                    block += weight * motion.fixed_view::<2, 2>(2 * node, 0);
-                }
-                let [row, column] = [2 * seen.point, 2 * pushed.point];
-                if row == column {
-                    block[(0, 1)] = block[(1, 0)];
-                } else {
-                    let mut mirror = self.compliance.fixed_view_mut::<2, 2>(column, row);
-                    mirror += block.transpose();
-                }
-                let mut target = self.compliance.fixed_view_mut::<2, 2>(row, column);
-                target += block;
-            }
-        }
-    }
-
     /// The rows of B of body `index`, of the points where it touches, in their order.
     pub fn body_rows(&self, index: usize) -> Vec<BodyRows> {
         self.contacts.body_rows(index)
@@ -297,10 +258,11 @@ impl InterfaceProblem {
 
     fn find_sliding_points(&mut self) {
         const NEGLIGIBLE: f64 = 1e-12;
-        let stiffest = self.compliance.diagonal().max();
+        let give = self.compliance.diagonal();
+        let stiffest = give.max();
         for (k, point) in self.contacts.points_mut().iter_mut().enumerate() {
             let row = 2 * k + 1;
-            let gives = self.compliance[(row, row)] > NEGLIGIBLE * stiffest;
+            let gives = give[row] > NEGLIGIBLE * stiffest;
             point.slides = gives
                 || self
                     .modes
@@ -349,7 +311,7 @@ impl InterfaceProblem {
     }
 
     /// Compliance A `[length/force]`, 2n × 2n, symmetric positive semidefinite.
-    pub fn compliance(&self) -> &DMatrix<f64> {
+    pub fn compliance(&self) -> &Compliance {
         &self.compliance
     }
 
@@ -405,11 +367,7 @@ impl InterfaceProblem {
         multipliers: &[f64],
     ) -> DVector<f64> {
         let mut motion = self.load_motion(multipliers);
-        for (column, &force) in forces.iter().enumerate() {
-            if force != 0.0 {
-                motion.axpy(force, &self.compliance.column(column), 1.0);
-            }
-        }
+        self.compliance.add_motion(forces, &mut motion);
         motion.gemv(1.0, &self.modes, rigid, 1.0);
         motion
     }

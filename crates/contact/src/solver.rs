@@ -45,6 +45,7 @@ mod principal;
 mod residual;
 mod rules;
 mod secants;
+mod sensitivity;
 mod step;
 mod tableau;
 mod tresca;

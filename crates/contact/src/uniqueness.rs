@@ -71,14 +71,17 @@ fn normal_response(
     touching: &[usize],
     held: Option<FreeMotions>,
 ) -> Option<DMatrix<f64>> {
-    let (compliance, modes) = (problem.compliance(), problem.modes());
+    let modes = problem.modes();
+    let normals: Vec<usize> = touching.iter().map(|k| 2 * k).collect();
+    let columns: Vec<usize> = touching.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
+    let compliance = problem.compliance().chosen(&normals, &columns);
     let unit = problem.compliance_unit();
     let (count, rigid) = (touching.len(), modes.ncols());
     let motions = |row: usize| (0..rigid).map(move |mode| modes[(row, mode)]);
     let mut matrix = DMatrix::zeros(count + rigid, count + rigid);
     for (i, &k) in touching.iter().enumerate() {
         for (j, &l) in touching.iter().enumerate() {
-            matrix[(i, j)] = compliance[(2 * k, 2 * l)] / unit;
+            matrix[(i, j)] = compliance.at(i, 2 * l) / unit;
         }
         for (mode, value) in motions(2 * k).enumerate() {
             matrix[(i, count + mode)] = value;
@@ -95,9 +98,7 @@ fn normal_response(
         if !problem.points()[l].slides {
             continue;
         }
-        let along = touching
-            .iter()
-            .map(|&k| compliance[(2 * k, 2 * l + 1)] / unit);
+        let along = (0..count).map(|i| compliance.at(i, 2 * l + 1) / unit);
         let mut column = DVector::from_iterator(count + rigid, along.chain(motions(2 * l + 1)));
         factors.solve(&mut column);
         response.set_column(j, &column.rows(0, count));

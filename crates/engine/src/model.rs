@@ -1,6 +1,7 @@
 //! From a checked scene to condensed bodies and one interface problem: the choices are made here, and said.
 
 mod bearing;
+mod compliance;
 mod contacts;
 mod extent;
 mod half_plane;
@@ -24,7 +25,7 @@ use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::generate::GenerateError;
 use stickslip_fem_core::material::{Material, MaterialError};
 use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
-use stickslip_fem_core::{ElasticBody, InterfaceOperator, RigidBody};
+use stickslip_fem_core::{CondensedBody, ElasticBody, InterfaceOperator, RigidBody};
 use stickslip_friction::Mirror;
 use thiserror::Error;
 
@@ -190,6 +191,8 @@ pub struct ModelBody {
     pub kind: ModelBodyKind,
     /// Mesh nodes of its contact points, in the order that pairs refer to; empty for rigid bodies.
     pub interface: Vec<usize>,
+    /// Ends of its edges among these where its compliance has a block for each; empty where it is one matrix.
+    pub ends: Vec<usize>,
     /// Its operator where it is a series, ready; its mesh is then the places where fields are shown.
     pub series: Option<Arc<SeriesBody>>,
 }
@@ -200,6 +203,18 @@ impl ModelBody {
         match &self.kind {
             ModelBodyKind::Elastic(body) => Some(body),
             ModelBodyKind::Rigid(_) => None,
+        }
+    }
+
+    /// Condenses `elastic`, this body or one with its geometry, to the contact points.
+    ///
+    /// # Errors
+    /// As [`ElasticBody::condense`].
+    pub fn condense(&self, elastic: &Arc<ElasticBody>) -> Result<CondensedBody, BodyError> {
+        if self.ends.is_empty() {
+            elastic.condense(&self.interface)
+        } else {
+            elastic.condense_edges(&self.interface, &self.ends)
         }
     }
 }
@@ -327,11 +342,13 @@ impl Model {
                 name: plan.bodies[index].name.to_owned(),
                 kind: loads::body(&plan, index, &meshes, &materials, half, &points)?,
                 interface,
+                ends: Vec::new(),
                 series: plan.bodies[index].series.clone(),
             })
         };
         let bodies = ends.enumerate().map(body);
-        let bodies = bodies.collect::<Result<Vec<_>, ModelError>>()?;
+        let mut bodies = bodies.collect::<Result<Vec<_>, ModelError>>()?;
+        compliance::choose(scene, &mut bodies, contacts.ends, &mut choices)?;
         choices.push(kinematics(&plan));
         let singular = |index: usize| match meshes.get(&index) {
             Some(mesh) => request::singular(&plan, index, mesh).map_err(|cause| ModelError::Mesh {

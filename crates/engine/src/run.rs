@@ -1,6 +1,7 @@
 //! Solves a scene: condense the bodies, follow the load history, recover what is reported.
 
 mod bearing;
+mod blocks;
 mod doubts;
 mod edges;
 mod failure;
@@ -235,8 +236,8 @@ pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
     let operators = parallel::map(&model.bodies, |body| match (&body.kind, &body.series) {
         (_, Some(series)) => Ok(Operator::Series(Arc::clone(series))),
         (ModelBodyKind::Rigid(rigid), None) => Ok(Operator::Rigid(rigid.clone())),
-        (ModelBodyKind::Elastic(elastic), None) => elastic
-            .condense(&body.interface)
+        (ModelBodyKind::Elastic(elastic), None) => body
+            .condense(elastic)
             .map(|condensed| Operator::Elastic(Arc::new(condensed)))
             .map_err(|cause| RunError::Body {
                 body: body.name.clone(),
@@ -333,6 +334,7 @@ fn reported(
     let request = &model.request;
     let mut choices = model.choices.clone();
     choices.push(solver_choice(request.analysis.solver));
+    choices.extend(blocks::error(&solved, &recovered));
     let operators = solved.operators.iter();
     let mut results = Results {
         title: request.title.clone(),

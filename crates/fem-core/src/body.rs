@@ -16,6 +16,7 @@ mod equations;
 mod error;
 mod partitioned;
 mod parts;
+mod regions;
 mod tangent;
 mod whole;
 

@@ -13,15 +13,18 @@
 //! | R, α | rigid motions that the supports leave free, and their amounts | 2n × f, f | –, length |
 //! | r_k | resultants of load case k in those motions, Rᵀ over the whole body | f | force |
 
+mod blocks;
 pub mod contract;
 mod misfit;
 
+use std::borrow::Cow;
 use std::fmt::Debug;
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
 use crate::mesh::Point;
+pub use blocks::{Block, BlockCompliance};
 pub use misfit::Misfit;
 use misfit::fits;
 
@@ -30,8 +33,40 @@ pub trait InterfaceOperator: Debug + Send + Sync {
     /// Positions of the contact points `[length]`, undeformed.
     fn points(&self) -> &[Point];
 
-    /// Compliance C `[length/force]`, 2n × 2n; `None` for a rigid body.
+    /// Compliance C `[length/force]`, 2n × 2n; `None` for a rigid body, and where it is held as [`blocks`](Self::blocks).
     fn compliance(&self) -> Option<&DMatrix<f64>>;
+
+    /// Compliance C `[length/force]` of a body that has too many contact points for one matrix; `None` for others.
+    fn blocks(&self) -> Option<&BlockCompliance> {
+        None
+    }
+
+    /// Compliance C `[length/force]` as one matrix, made of its blocks where it is held in blocks; `None` for a rigid body.
+    fn matrix(&self) -> Option<Cow<'_, DMatrix<f64>>> {
+        let own = self.compliance().map(Cow::Borrowed);
+        own.or_else(|| self.blocks().map(|blocks| Cow::Owned(blocks.matrix())))
+    }
+
+    /// The compliance `[length/force]` of each component of the contact points under its own force, 2n; `None` for a rigid body.
+    fn give_of_each(&self) -> Option<DVector<f64>> {
+        let own = self.compliance().map(DMatrix::diagonal);
+        own.or_else(|| self.blocks().map(BlockCompliance::diagonal))
+    }
+
+    /// Whether contact forces deform it.
+    fn gives(&self) -> bool {
+        self.compliance().is_some() || self.blocks().is_some()
+    }
+
+    /// Computes the displacements C λ `[length]` of the contact points, 2n, by the forces `forces` `[force]` on them, 2n; zero for a rigid
+    /// body.
+    fn give(&self, forces: &DVector<f64>) -> DVector<f64> {
+        match (self.compliance(), self.blocks()) {
+            (Some(compliance), _) => compliance * forces,
+            (None, Some(blocks)) => blocks.times(forces),
+            (None, None) => DVector::zeros(forces.len()),
+        }
+    }
 
     /// Rigid motions R of the contact points, 2n × f; f = 0 for a body that is held.
     fn modes(&self) -> &DMatrix<f64>;
@@ -55,6 +90,8 @@ pub trait InterfaceOperator: Debug + Send + Sync {
                     displacements.axpy(force, &compliance.column(column), 1.0);
                 }
             }
+        } else if let Some(blocks) = self.blocks() {
+            displacements += blocks.times(&DVector::from_column_slice(forces));
         }
         for (case, &factor) in multipliers.iter().enumerate() {
             if let Some(response) = self.load_response(case) {

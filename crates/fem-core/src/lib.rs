@@ -68,6 +68,8 @@ pub use nalgebra;
 pub use body::{
     BodyError, BodyStructure, CondensedBody, ElasticBody, Linearised, LoadCase, TangentBody,
 };
-pub use interface::{GivenBody, GivenBodyError, InterfaceOperator, Misfit, RigidBody};
+pub use interface::{
+    Block, BlockCompliance, GivenBody, GivenBodyError, InterfaceOperator, Misfit, RigidBody,
+};
 pub use points::QuadraturePoints;
 pub use support::{HeldDirection, Platen, SectionHold, Support};

@@ -14,6 +14,7 @@ mod matrix;
 mod ordering;
 mod sparse;
 mod symmetric;
+mod trailing;
 mod yardstick;
 
 pub use dense::{

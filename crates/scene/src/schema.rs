@@ -21,7 +21,7 @@ use stickslip_text::short;
 pub use super::material::{LaminateSheet, Material, OutOfPlane};
 pub use crate::shape::Shape;
 use crate::units::Unit;
-pub use analysis::{Analysis, KinematicsChoice, ModelChoice, Ramp, SolverChoice};
+pub use analysis::{Analysis, ComplianceChoice, KinematicsChoice, ModelChoice, Ramp, SolverChoice};
 pub use bearing::BearingLaw;
 pub use demand::{Accuracy, Bounds, Budget, RelativeError};
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};

@@ -19,7 +19,7 @@ use stickslip_fem_core::linalg::DenseLu;
 
 use super::step::Step;
 use super::{FailureCause, Work};
-use crate::problem::FreeMotions;
+use crate::problem::{Chosen, FreeMotions};
 use crate::state::Status;
 
 /// Relative size below which a resistance or a resultant is rounding.
@@ -83,11 +83,11 @@ impl FrozenSystem for Condensed {
 }
 
 /// How the unknown at each position of the reduced system relates to the contact forces.
-struct Layout {
+pub(super) struct Layout {
     /// Touching points: unknown λ_n.
-    normal: Vec<usize>,
+    pub(super) normal: Vec<usize>,
     /// Points whose λ_t is an unknown: sticking ones, and slipping ones with f₂ ≠ 0.
-    tangential: Vec<usize>,
+    pub(super) tangential: Vec<usize>,
 }
 
 impl Layout {
@@ -104,7 +104,7 @@ impl Layout {
     }
 
     /// The conditions of (g, Δs) that are equations.
-    fn rows(&self) -> Vec<usize> {
+    pub(super) fn rows(&self) -> Vec<usize> {
         let normal = self.normal.iter().map(|k| 2 * k);
         normal
             .chain(self.tangential.iter().map(|k| 2 * k + 1))
@@ -175,6 +175,16 @@ impl FreeMotions {
     }
 }
 
+/// The matrix of the reduced system, and how its unknowns relate to the contact forces.
+pub(super) fn matrix_of(
+    step: &Step<'_>,
+    status: &[Status],
+    lines: &[SlipLine],
+) -> (DMatrix<f64>, Layout) {
+    let layout = Layout::of(step, status, lines);
+    (reduced_system(step, status, lines, &layout).0, layout)
+}
+
 /// Matrix and right-hand side of the reduced system, unknown forces times the unit of compliance, and the rigid motions that no
 /// row resists.
 fn reduced_system(
@@ -183,9 +193,13 @@ fn reduced_system(
     lines: &[SlipLine],
     layout: &Layout,
 ) -> (DMatrix<f64>, DVector<f64>, Option<FreeMotions>) {
-    let (compliance, modes) = (step.problem.compliance(), step.problem.modes());
+    let modes = step.problem.modes();
     let unit = step.problem.compliance_unit();
     let rows = layout.rows();
+    let columns: Vec<usize> = (layout.normal.iter())
+        .flat_map(|k| [2 * k, 2 * k + 1])
+        .collect();
+    let compliance = step.problem.compliance().chosen(&rows, &columns);
     let (contact, rigid) = (rows.len(), modes.ncols());
     let size = contact + rigid;
     let mut matrix = DMatrix::zeros(size, size);
@@ -206,15 +220,15 @@ fn reduced_system(
             0.0
         };
         let eliminated = sign != 0.0 && lines[k].slip == 0.0;
-        let (normal, tangential) = (compliance.column(2 * k), compliance.column(2 * k + 1));
         let (slope, constant) = if eliminated {
             (-sign * lines[k].normal, -sign * lines[k].constant * unit)
         } else {
             (0.0, 0.0)
         };
-        for (i, &row) in rows.iter().enumerate() {
-            matrix[(i, j)] = (normal[row] + slope * tangential[row]) / unit;
-            side[i] -= constant * tangential[row] / unit;
+        for i in 0..contact {
+            let tangential = compliance.at(i, 2 * k + 1);
+            matrix[(i, j)] = (compliance.at(i, 2 * k) + slope * tangential) / unit;
+            side[i] -= constant * tangential / unit;
         }
         matrix[(j, j)] += step.softness / unit;
         for mode in 0..rigid {
@@ -223,28 +237,28 @@ fn reduced_system(
             side[contact + mode] -= constant * along_tangent;
         }
     }
-    add_tangential_columns(&mut matrix, step, &rows, layout);
+    add_tangential_columns(&mut matrix, step, &compliance, layout);
     soften_slip_rows(&mut matrix, &mut side, status, lines, layout, unit);
     let free = hold_free_motions(step, &rows, &mut matrix, &mut side);
     (matrix, side, free)
 }
 
-/// What the tangential forces that are unknown do to the `rows` and to the balance of the rigid motions.
+/// What the tangential forces that are unknown do to the rows of `compliance` and to the balance of the rigid motions.
 fn add_tangential_columns(
     matrix: &mut DMatrix<f64>,
     step: &Step<'_>,
-    rows: &[usize],
+    compliance: &Chosen<'_>,
     layout: &Layout,
 ) {
     let (unit, modes) = (step.problem.compliance_unit(), step.problem.modes());
     for (j, &k) in (layout.normal.len()..).zip(&layout.tangential) {
-        let column = step.problem.compliance().column(2 * k + 1);
-        for (i, &row) in rows.iter().enumerate() {
-            matrix[(i, j)] = column[row] / unit;
+        let contact = layout.normal.len() + layout.tangential.len();
+        for i in 0..contact {
+            matrix[(i, j)] = compliance.at(i, 2 * k + 1) / unit;
         }
         matrix[(j, j)] += step.softness / unit;
         for mode in 0..modes.ncols() {
-            matrix[(rows.len() + mode, j)] = modes[(2 * k + 1, mode)];
+            matrix[(contact + mode, j)] = modes[(2 * k + 1, mode)];
         }
     }
 }

@@ -10,7 +10,7 @@
 //! multipliers (Hestenes 1969, Powell 1969): A + κ G Gᵀ stands for A, and α ← α + κ (Gᵀλ + r) after each sweep, so that no
 //! trace of κ remains in the answer.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::active_set::slip_line;
 use super::attempt::Attempt;
@@ -81,7 +81,7 @@ impl GaussSeidel {
             Acceleration::None => 0,
             Acceleration::Anderson(depth) => depth,
         });
-        let mut sweep = Sweep::new(step);
+        let mut sweep = Sweep::new(step, step.matrix()?);
         let per_product = 2 * (sweep.forces.len() * sweep.forces.len()) as u64;
         for _ in 0..self.limit {
             let before = sweep.packed();
@@ -114,6 +114,7 @@ impl GaussSeidel {
 /// The iterate of the sweeps.
 struct Sweep<'a> {
     step: &'a Step<'a>,
+    compliance: &'a DMatrix<f64>,
     forces: DVector<f64>,
     rigid: DVector<f64>,
     /// A λ + free motion, kept up to date with the forces.
@@ -127,9 +128,10 @@ struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    fn new(step: &'a Step<'a>) -> Self {
+    fn new(step: &'a Step<'a>, compliance: &'a DMatrix<f64>) -> Self {
         let forces = DVector::zeros(2 * step.count());
         Self {
+            compliance,
             elastic: step.free_motion.clone(),
             imbalance: step.mode_load.clone(),
             rigid: step.committed.rigid.clone(),
@@ -157,7 +159,7 @@ impl<'a> Sweep<'a> {
             return;
         }
         self.forces[row] = force;
-        let column = self.step.problem.compliance().column(row);
+        let column = self.compliance.column(row);
         self.elastic.axpy(change, &column, 1.0);
         self.elastic[row] += self.step.softness * change;
         for (sum, mode) in self
@@ -190,7 +192,7 @@ impl<'a> Sweep<'a> {
 
     fn local(&self, k: usize) -> Local<'_> {
         let (n, t) = (2 * k, 2 * k + 1);
-        let (compliance, modes) = (self.step.problem.compliance(), self.step.problem.modes());
+        let (compliance, modes) = (self.compliance, self.step.problem.modes());
         let entry = |row: usize, column: usize| {
             let soft = if row == column {
                 self.step.softness

@@ -58,6 +58,7 @@ impl InterfaceSolver for Pivoting {
 impl Pivoting {
     fn run(&self, attempt: &mut Attempt<'_>) -> Result<StepSolution, FailureCause> {
         let step = attempt.step;
+        step.matrix()?;
         let mut secants = Secants::new(step);
         let (mut last, mut ended) = (FailureCause::Ray, FailureCause::Ray);
         for _ in 0..self.repetitions {

@@ -39,6 +39,7 @@ impl InterfaceSolver for PrincipalPivoting {
 impl PrincipalPivoting {
     fn run(&self, attempt: &mut Attempt<'_>) -> Result<StepSolution, FailureCause> {
         let step = attempt.step;
+        step.matrix()?;
         let mut secants = Secants::new(step);
         let mut last = FailureCause::Limit(0);
         for _ in 0..self.repetitions {

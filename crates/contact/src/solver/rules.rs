@@ -52,17 +52,19 @@ impl Rules {
             frozen,
             scales,
         };
-        (0..status.len())
-            .filter_map(|point| {
-                let (next, violation) = match self {
-                    Self::Report => at.report_rule(point),
-                    Self::Projection => at.projection_rule(point),
-                };
-                (next != status[point]).then_some(Change {
-                    point,
-                    status: next,
-                    violation,
-                })
+        let mut next: Vec<(Status, f64)> = (0..status.len())
+            .map(|point| at.report_rule(point))
+            .collect();
+        if self == Self::Projection {
+            at.project(&mut next);
+        }
+        let changes = next.into_iter().enumerate();
+        changes
+            .filter(|(point, (next, _))| *next != status[*point])
+            .map(|(point, (status, violation))| Change {
+                point,
+                status,
+                violation,
             })
             .collect()
     }
@@ -129,32 +131,40 @@ impl At<'_> {
         }
     }
 
-    fn projection_rule(&self, point: usize) -> (Status, f64) {
-        let (plain, violation) = self.report_rule(point);
-        let now = self.status[point];
-        let turns = plain == Status::Stick
-            && now != Status::Stick
-            && self.step.problem.points()[point].slides;
-        if !turns {
-            return (plain, violation);
-        }
-        // A closing or turning point sticks only if the force that would stop its motion lies within the bound. Its
-        // neighbours move with it, so the test needs the compliance of all touching points together.
-        let compliance = self.step.problem.compliance();
-        let stop = |row: usize| {
-            let column = compliance.column(row);
-            let touching =
-                (0..self.status.len()).filter(|&k| self.status[k].touches() || k == point);
-            let together: f64 = touching.map(|k| column[2 * k + row % 2].abs()).sum();
-            self.frozen.motion[row] / (together + self.step.softness).max(f64::MIN_POSITIVE)
+    /// Of the points that are to stick in `next` and do not yet, those whose motion the force within the bound does not stop slip. Their
+    /// neighbours move with them, so that force needs the compliance of all touching points together.
+    fn project(&self, next: &mut [(Status, f64)]) {
+        let turns = |k: usize| {
+            let slides = self.step.problem.points()[k].slides;
+            next[k].0 == Status::Stick && self.status[k] != Status::Stick && slides
         };
-        let trial = self.frozen.forces[2 * point + 1] - stop(2 * point + 1);
-        let normal = (self.frozen.forces[2 * point] - stop(2 * point)).max(0.0);
-        let bound = self.holding(point, normal, self.frozen.motion[2 * point + 1]);
-        if trial.abs() > bound {
-            (Status::slip_along(-trial), violation)
-        } else {
-            (Status::Stick, violation)
+        let turning: Vec<usize> = (0..next.len()).filter(|&k| turns(k)).collect();
+        let moving = |k: &usize| self.status[*k].touches() || turns(*k);
+        let touching: Vec<usize> = (0..next.len()).filter(moving).collect();
+        let components = |points: &[usize]| {
+            points
+                .iter()
+                .flat_map(|k| [2 * k, 2 * k + 1])
+                .collect::<Vec<_>>()
+        };
+        let compliance = self.step.problem.compliance();
+        let compliance = compliance.chosen(&components(&touching), &components(&turning));
+        for point in turning {
+            let stop = |axis: usize| {
+                let row = 2 * point + axis;
+                let own = touching.iter().enumerate();
+                let own = own.filter(|(_, k)| self.status[**k].touches() || **k == point);
+                let together: f64 = own
+                    .map(|(i, _)| compliance.at(2 * i + axis, row).abs())
+                    .sum();
+                self.frozen.motion[row] / (together + self.step.softness).max(f64::MIN_POSITIVE)
+            };
+            let trial = self.frozen.forces[2 * point + 1] - stop(1);
+            let normal = (self.frozen.forces[2 * point] - stop(0)).max(0.0);
+            let bound = self.holding(point, normal, self.frozen.motion[2 * point + 1]);
+            if trial.abs() > bound {
+                next[point].0 = Status::slip_along(-trial);
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use stickslip_friction::Bound;
 
+use crate::failure::FailureCause;
 use crate::problem::InterfaceProblem;
 use crate::state::{ContactState, Status, TrialState};
 
@@ -204,12 +205,7 @@ impl<'a> Step<'a> {
     /// Gap and slip increment `[length]` of all points under contact forces and rigid motions, interleaved, 2n.
     pub fn motion(&self, forces: &DVector<f64>, rigid: &DVector<f64>) -> DVector<f64> {
         let mut motion = self.free_motion.clone();
-        let compliance = self.problem.compliance();
-        for (column, &force) in forces.iter().enumerate() {
-            if force != 0.0 {
-                motion.axpy(force, &compliance.column(column), 1.0);
-            }
-        }
+        self.problem.compliance().add_motion(forces, &mut motion);
         if self.softness != 0.0 {
             motion.axpy(self.softness, forces, 1.0);
         }
@@ -224,9 +220,19 @@ impl<'a> Step<'a> {
         resultants
     }
 
+    /// The compliance, for solvers that work on one matrix.
+    ///
+    /// # Errors
+    /// [`FailureCause::Blocks`] where it is held in blocks.
+    pub(crate) fn matrix(&self) -> Result<&'a DMatrix<f64>, FailureCause> {
+        let points = self.count();
+        let own = self.problem.compliance().matrix();
+        own.ok_or(FailureCause::Blocks { points })
+    }
+
     /// Compliance of the bodies and of springs between the surfaces.
     pub(crate) fn soft_compliance(&self) -> DMatrix<f64> {
-        let mut compliance = self.problem.compliance().clone();
+        let mut compliance = self.problem.compliance().to_matrix().into_owned();
         for i in 0..compliance.nrows() {
             compliance[(i, i)] += self.softness;
         }

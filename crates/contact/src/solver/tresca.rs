@@ -54,6 +54,7 @@ impl TrescaFixedPoint {
         /// sees.
         const FADED: f64 = 1e-9;
         let step = attempt.step;
+        step.matrix()?;
         let mut convex = Convex::new(step);
         let mut bounds = Bounds::new(step);
         let (mut least, mut since) = (f64::INFINITY, 0);

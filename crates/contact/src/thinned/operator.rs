@@ -87,7 +87,7 @@ impl ThinnedBody {
                 .map(|case| body.mode_load(case).clone())
                 .collect(),
         };
-        thinned.compliance = body.compliance().map(|own| thinned.transformed(own));
+        thinned.compliance = body.matrix().map(|own| thinned.transformed(&own));
         thinned.modes = thinned.means(body.modes());
         let response = |case| Some(thinned.mean(body.load_response(case)?));
         thinned.responses = cases.map(response).collect();

@@ -52,7 +52,7 @@ impl<'a> Conditions<'a> {
     /// Largest violation of any condition by `trial`, relative to the largest force and the largest length in play.
     pub(crate) fn violation(&self, trial: &TrialState) -> f64 {
         let motion = &self.free
-            + self.problem.compliance() * &trial.forces
+            + &*self.problem.compliance().to_matrix() * &trial.forces
             + self.problem.modes() * &trial.rigid;
         let (force_scale, length_scale) = self.scales(&trial.forces, &motion);
         let balance = self.problem.modes().tr_mul(&trial.forces) + &self.mode_load;
@@ -158,7 +158,7 @@ impl<'a> Conditions<'a> {
 
     /// The only state with these statuses, whether or not it is admissible: the equations as they stand, all of them.
     fn candidate(&self, status: &[Status]) -> Option<TrialState> {
-        let (compliance, modes) = (self.problem.compliance(), self.problem.modes());
+        let (compliance, modes) = (self.problem.compliance().to_matrix(), self.problem.modes());
         let (size, rigid) = (compliance.nrows(), modes.ncols());
         let mut matrix = DMatrix::zeros(size + rigid, size + rigid);
         let mut side = DVector::zeros(size + rigid);
@@ -213,7 +213,7 @@ impl<'a> Conditions<'a> {
         let solution = factors.solve(&side)?;
         let forces = solution.rows(0, size).into_owned();
         let rigid = solution.rows(size, rigid).into_owned();
-        let motion = &self.free + compliance * &forces + modes * &rigid;
+        let motion = &self.free + &*compliance * &forces + modes * &rigid;
         Some(TrialState {
             forces,
             motion,
@@ -233,7 +233,7 @@ impl<'a> Conditions<'a> {
         let size = self.free.len();
         matrix
             .view_mut((row, 0), (1, size))
-            .copy_from(&self.problem.compliance().row(row));
+            .copy_from(&self.problem.compliance().to_matrix().row(row));
         let modes = self.problem.modes().row(row);
         matrix
             .view_mut((row, size), (1, modes.ncols()))

@@ -29,6 +29,8 @@ pub(super) struct Contacts {
     pub(super) edges: Vec<ModelEdge>,
     /// Mesh nodes of each body's contact points.
     pub(super) interfaces: Vec<Vec<usize>>,
+    /// Where the nodes of each edge end there.
+    pub(super) ends: Vec<Vec<usize>>,
     /// Contact points of each rigid body.
     pub(super) rigid_points: Vec<Vec<Point>>,
 }
@@ -42,6 +44,7 @@ pub(super) fn build(
 ) -> Result<Contacts, ModelError> {
     let mut contacts = Contacts {
         interfaces: vec![Vec::new(); plan.bodies.len()],
+        ends: vec![Vec::new(); plan.bodies.len()],
         rigid_points: vec![Vec::new(); plan.bodies.len()],
         ..Contacts::default()
     };
@@ -159,11 +162,15 @@ impl Contacts {
         lower: Option<&'e EdgeNodes>,
     ) -> [Side<'e>; 2] {
         let above = Side::new(&mut self.interfaces[first], &meshes[&first], upper);
+        self.ends[first].push(self.interfaces[first].len());
         let below = match lower {
             Some(lower) => Side::new(&mut self.interfaces[second], &meshes[&second], lower),
             // A rigid body takes the places of the first edge's nodes for its own.
             None => Side::rigid(&mut self.rigid_points[second], &above, upper),
         };
+        if lower.is_some() {
+            self.ends[second].push(self.interfaces[second].len());
+        }
         [above, below]
     }
 }

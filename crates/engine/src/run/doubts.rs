@@ -213,11 +213,8 @@ pub(super) fn of_ripples(model: &Model, solved: &Solved) -> Vec<Finding> {
         };
         let sides = [nodes(|point| &point.first), nodes(|point| &point.second)];
         let gives = |body: usize, nodes: &BTreeSet<usize>| {
-            let compliance = solved.operators[body].interface().compliance()?;
-            let give = |&node: &usize| {
-                let [x, y] = [2 * node, 2 * node + 1].map(|i| compliance[(i, i)]);
-                x + y
-            };
+            let own = solved.operators[body].interface().give_of_each()?;
+            let give = |&node: &usize| own[2 * node] + own[2 * node + 1];
             Some(nodes.iter().map(give).sum::<f64>() / nodes.len() as f64)
         };
         let stiffer = gives(pair.second, &sides[1])? / gives(pair.first, &sides[0])?;

@@ -160,12 +160,8 @@ fn series_stresses(
 /// Displacements of a contact edge's nodes that strain its first body: u = C λ + Σ m_k u_k, no sparse solve.
 fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<[f64; 2]> {
     let operator = solved.operators[edge.geometry.body].interface();
-    let count = operator.points().len();
     let forces = DVector::from_vec(solved.forces_on_body(record, edge.geometry.body));
-    let mut u = operator.compliance().map_or_else(
-        || DVector::zeros(2 * count),
-        |compliance| compliance * &forces,
-    );
+    let mut u = operator.give(&forces);
     for (case, &factor) in record.state.multipliers.iter().enumerate() {
         if let Some(response) = operator.load_response(case) {
             u.axpy(factor, response, 1.0);

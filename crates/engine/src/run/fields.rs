@@ -1,11 +1,11 @@
 //! Displacements inside the bodies, by which every step's balance is audited, and stresses for the steps that ask for them.
 
 use stickslip_contact::StepRecord;
-use stickslip_fem_core::CondensedBody;
 use stickslip_fem_core::body::{BodyBalance, BodyLoad};
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::stress::{ElasticField, StressError};
+use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
 use super::solved::{Operator, Solved};
 use crate::model::Model;
@@ -36,6 +36,9 @@ pub(super) struct Recovered {
     /// Balance per body; `None` for a rigid one.
     pub(super) balance: Vec<Option<BodyBalance>>,
     pub(super) multipliers: Vec<f64>,
+    /// What the compliance of each body that has it in blocks leaves out of the displacements of its contact points `[mm]`, 2n; empty for
+    /// others.
+    pub(super) left_out: Vec<Vec<f64>>,
     /// Whether displacements were recovered and not kept.
     dropped: bool,
 }
@@ -117,6 +120,7 @@ fn pass(
             motions: motions(solved, record),
             balance: vec![None; bodies],
             multipliers: record.state.multipliers.clone(),
+            left_out: vec![Vec::new(); bodies],
             dropped: false,
         })
         .collect();
@@ -140,6 +144,11 @@ fn pass(
                     step.add_reactions(model, index, &residual);
                 }
             }
+            if body.blocks().is_some() {
+                for ((step, u), state) in steps.iter_mut().zip(&displacements).zip(&states) {
+                    step.left_out[index] = left_out(body, u, state);
+                }
+            }
             for (step, u) in steps.iter_mut().zip(displacements) {
                 for (edge, moved) in model.edges.iter().zip(&mut step.free_edges) {
                     if edge.geometry.body == index && edge.pair.is_none() {
@@ -156,6 +165,15 @@ fn pass(
         }
     }
     all
+}
+
+/// The displacements `u` of the contact points of `body`, recovered inside, less those by its compliance.
+fn left_out(body: &CondensedBody, u: &[f64], state: &BodyLoad<'_>) -> Vec<f64> {
+    let still = vec![0.0; body.modes().ncols()];
+    let seen = InterfaceOperator::displacements(body, state.forces, &still, state.multipliers);
+    let nodes = body.interface_nodes().iter();
+    let recovered = nodes.flat_map(|&node| [u[2 * node], u[2 * node + 1]]);
+    recovered.zip(seen.iter()).map(|(a, b)| a - b).collect()
 }
 
 /// Recovers of a body by series what no field needs: its balance, and its stresses where its failure is asked about.

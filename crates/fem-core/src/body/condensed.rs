@@ -1,6 +1,7 @@
 //! A finite-element body condensed to its contact nodes.
 
 mod balance;
+mod compress;
 mod section;
 mod unknowns;
 
@@ -12,7 +13,7 @@ use super::assembly::{Assembled, assemble};
 use super::elastic::ElasticBody;
 use super::equations::{BodyStructure, HELD};
 use super::error::BodyError;
-use crate::interface::InterfaceOperator;
+use crate::interface::{BlockCompliance, InterfaceOperator};
 use crate::linalg::{SparseCholesky, invert_from_cholesky, solve_lower_transposed};
 use crate::load::initial_strain_load;
 use crate::mesh::Point;
@@ -29,7 +30,7 @@ pub struct CondensedBody {
     structure: Arc<BodyStructure>,
     factor: SparseCholesky,
     points: Vec<Point>,
-    compliance: DMatrix<f64>,
+    compliance: Compliance,
     modes: DMatrix<f64>,
     /// Forces of each load case on the unknowns; `None` for a case that does not load this body.
     case_forces: Vec<Option<Vec<f64>>>,
@@ -38,7 +39,26 @@ pub struct CondensedBody {
     section: Option<Section>,
 }
 
+/// C on the contact nodes.
+#[derive(Clone, Debug)]
+enum Compliance {
+    Matrix(DMatrix<f64>),
+    Blocks(BlockCompliance),
+}
+
 impl ElasticBody {
+    /// As [`condense`](Self::condense), with the compliance in blocks as by [`analyse_edges`](Self::analyse_edges).
+    ///
+    /// # Errors
+    /// As [`condense`](Self::condense).
+    pub fn condense_edges(
+        self: &Arc<Self>,
+        interface: &[usize],
+        ends: &[usize],
+    ) -> Result<CondensedBody, BodyError> {
+        CondensedBody::new(Arc::clone(self), self.analyse_edges(interface, ends)?)
+    }
+
     /// Condenses the body to the nodes of `interface`, in that order: one factorisation.
     ///
     /// # Errors
@@ -68,16 +88,21 @@ impl CondensedBody {
     ) -> Result<Self, BodyError> {
         let factor = SparseCholesky::factorise(&structure.symbolic, &assembled.matrix)?;
         drop(assembled.matrix);
-        let lower = factor.trailing_block(structure.interface_unknowns);
-        let compliance = invert_from_cholesky(&lower);
-
+        let (compliance, lower) = match &structure.regions {
+            None => {
+                let lower = factor.trailing_block(structure.interface_unknowns);
+                let inverse = invert_from_cholesky(&lower);
+                (Compliance::Matrix(structure.spread(inverse)), Some(lower))
+            }
+            Some(regions) => (Compliance::Blocks(regions.compliance(&factor)), None),
+        };
         let mut condensed = Self {
             points: structure
                 .interface
                 .iter()
                 .map(|&node| body.mesh.nodes()[node])
                 .collect(),
-            compliance: structure.spread(&compliance),
+            compliance,
             modes: structure.interface_modes(&body),
             case_forces: Vec::new(),
             responses: Vec::new(),
@@ -87,12 +112,12 @@ impl CondensedBody {
             structure,
             factor,
         };
-        condensed.add_load_cases(&assembled.support_forces, &lower);
+        condensed.add_load_cases(&assembled.support_forces, lower.as_ref());
         condensed.hold_section()?;
         Ok(condensed)
     }
 
-    fn add_load_cases(&mut self, support_forces: &[f64], lower: &DMatrix<f64>) {
+    fn add_load_cases(&mut self, support_forces: &[f64], lower: Option<&DMatrix<f64>>) {
         let stiffnesses = self.body.stiffnesses();
         for case in &self.body.cases {
             let mut nodal = case.forces.clone();
@@ -134,12 +159,21 @@ impl CondensedBody {
         }
     }
 
-    /// Displacements of the interface unknowns by `forces` on all unknowns: half a sparse solve. `lower` is the trailing block
-    /// of the factor.
-    fn interface_response(&self, forces: &[f64], lower: &DMatrix<f64>) -> DVector<f64> {
-        let mut half = forces.to_vec();
-        self.factor.solve_lower(&mut half);
-        let mut tail = DVector::from_column_slice(&half[self.structure.unknowns - lower.nrows()..]);
+    /// Displacements of the interface unknowns by `forces` on all unknowns: half a sparse solve where the trailing block `lower` of the
+    /// factor is theirs, else a whole one.
+    fn interface_response(&self, forces: &[f64], lower: Option<&DMatrix<f64>>) -> DVector<f64> {
+        let mut solution = forces.to_vec();
+        let Some(lower) = lower else {
+            self.factor.solve(&mut solution);
+            let own = self.structure.interface_equations();
+            return DVector::from_iterator(
+                self.structure.interface_unknowns,
+                own.map(|unknown| solution[unknown]),
+            );
+        };
+        self.factor.solve_lower(&mut solution);
+        let first = self.structure.unknowns - lower.nrows();
+        let mut tail = DVector::from_column_slice(&solution[first..]);
         solve_lower_transposed(lower, &mut tail);
         tail
     }
@@ -148,10 +182,10 @@ impl CondensedBody {
     /// unknowns.
     pub(super) fn response_to(&self, nodal: &[f64]) -> (DVector<f64>, Vec<f64>) {
         let forces = self.structure.to_unknowns(nodal);
-        let lower = self
-            .factor
-            .trailing_block(self.structure.interface_unknowns);
-        let tail = self.interface_response(&forces, &lower);
+        let count = self.structure.interface_unknowns;
+        let undivided = self.structure.regions.is_none();
+        let lower = undivided.then(|| self.factor.trailing_block(count));
+        let tail = self.interface_response(&forces, lower.as_ref());
         (self.structure.spread_response(&tail, false), forces)
     }
 
@@ -373,7 +407,17 @@ impl InterfaceOperator for CondensedBody {
     }
 
     fn compliance(&self) -> Option<&DMatrix<f64>> {
-        Some(&self.compliance)
+        match &self.compliance {
+            Compliance::Matrix(matrix) => Some(matrix),
+            Compliance::Blocks(_) => None,
+        }
+    }
+
+    fn blocks(&self) -> Option<&BlockCompliance> {
+        match &self.compliance {
+            Compliance::Matrix(_) => None,
+            Compliance::Blocks(blocks) => Some(blocks),
+        }
     }
 
     fn modes(&self) -> &DMatrix<f64> {

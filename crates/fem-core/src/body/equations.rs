@@ -8,6 +8,7 @@ use super::constraints::{NodeConstraint, node_constraints};
 use super::elastic::ElasticBody;
 use super::error::BodyError;
 use super::parts::check_parts;
+use super::regions::{RegionOrder, Regions};
 use crate::linalg::{LowerMatrix, SparseStructure, minimum_degree};
 use crate::mesh::{Mesh, Point};
 use crate::support::{Platen, Support};
@@ -33,6 +34,8 @@ pub struct BodyStructure {
     pub(super) pattern: LowerMatrix,
     pub(super) symbolic: SparseStructure,
     pub(super) motions: FreeMotions,
+    /// Where the unknowns of each edge stand, if they are ordered by regions.
+    pub(super) regions: Option<Regions>,
 }
 
 impl ElasticBody {
@@ -42,12 +45,29 @@ impl ElasticBody {
     /// A node that does not exist or appears twice, supports that are not finite or contradict each other or the platen, a
     /// part of the mesh that is neither joined nor held, or a structure too large for memory.
     pub fn analyse(&self, interface: &[usize]) -> Result<Arc<BodyStructure>, BodyError> {
-        BodyStructure::new(self, interface).map(Arc::new)
+        BodyStructure::new(self, interface, &[]).map(Arc::new)
+    }
+
+    /// As [`analyse`](Self::analyse), for a compliance in blocks, one for each edge of `interface`; `ends` are the ends of the edges there,
+    /// ascending. Where a cell stands on two edges, or something holds a node of `interface`, the structure is that of one matrix.
+    ///
+    /// # Errors
+    /// As [`analyse`](Self::analyse).
+    pub fn analyse_edges(
+        &self,
+        interface: &[usize],
+        ends: &[usize],
+    ) -> Result<Arc<BodyStructure>, BodyError> {
+        BodyStructure::new(self, interface, ends).map(Arc::new)
     }
 }
 
 impl BodyStructure {
-    pub(super) fn new(body: &ElasticBody, interface: &[usize]) -> Result<Self, BodyError> {
+    pub(super) fn new(
+        body: &ElasticBody,
+        interface: &[usize],
+        ends: &[usize],
+    ) -> Result<Self, BodyError> {
         let mesh = &body.mesh;
         let mut constraints = node_constraints(mesh, &body.supports, body.platen.as_ref())?;
         let on_interface = flag_interface(mesh, interface)?;
@@ -58,7 +78,20 @@ impl BodyStructure {
         let adjacency = node_adjacency(mesh);
         check_parts(mesh, &adjacency, &constraints)?;
 
-        let order = minimum_degree(&adjacency, interface)?;
+        let free = |&node: &usize| {
+            let own = constraints[node];
+            !own.held.contains(&true) && !own.is_turned()
+        };
+        let by_region = if !ends.is_empty() && body.section.is_none() && interface.iter().all(free)
+        {
+            RegionOrder::new(mesh, &adjacency, interface, ends)?
+        } else {
+            None
+        };
+        let (order, separators) = match by_region {
+            Some(order) => (order.nodes, Some(order.separators)),
+            None => (minimum_degree(&adjacency, interface)?, None),
+        };
         let mut equations = vec![[HELD; 2]; mesh.nodes().len()];
         let mut unknowns = 0_u32;
         for &node in &order {
@@ -74,6 +107,12 @@ impl BodyStructure {
             .flat_map(|&node| equations[node])
             .filter(|&equation| equation != HELD)
             .count();
+        let regions = separators.map(|count| {
+            let last = &order[order.len() - count..];
+            let of_separators = last.iter().flat_map(|&node| equations[node]);
+            let count = of_separators.filter(|&equation| equation != HELD).count();
+            Regions::new(interface.len(), ends, unknowns as usize - count)
+        });
         let pattern = lower_pattern(&order, &adjacency, &equations);
         let symbolic = SparseStructure::analyse(&pattern)?;
         Ok(Self {
@@ -88,6 +127,7 @@ impl BodyStructure {
             pattern,
             symbolic,
             motions,
+            regions,
         })
     }
 

@@ -29,13 +29,10 @@ impl CondensedBody {
     /// The unknowns that move contact points: the rows of Bᵀ that are not zero.
     pub fn interface_unknowns(&self) -> Vec<InterfaceUnknown> {
         let structure = self.structure();
-        let axes = structure.interface_axes();
-        // The unknowns of the interface are numbered last, in the order of its points.
-        let first = structure.unknowns - axes.len();
-        axes.into_iter()
-            .enumerate()
-            .map(|(k, (point, axis))| InterfaceUnknown {
-                unknown: first + k,
+        (structure.interface_axes().into_iter())
+            .zip(structure.interface_equations())
+            .map(|((point, axis), unknown)| InterfaceUnknown {
+                unknown,
                 point,
                 axis,
             })

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::FactorError;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -13,9 +14,6 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
-use nalgebra::DMatrix;
-
-use super::FactorError;
 
 /// The lower triangle of a sparse symmetric matrix by columns; row indices ascend in each column and the diagonal is there.
 #[derive(Clone, Debug, Default)]
@@ -78,7 +76,7 @@ impl LowerMatrix {
 
 /// The symbolic factorisation of a pattern: reused by every matrix with that pattern.
 #[derive(Clone, Debug)]
-pub struct SparseStructure(Arc<SymbolicCholesky<usize>>);
+pub struct SparseStructure(pub(super) Arc<SymbolicCholesky<usize>>);
 
 impl SparseStructure {
     /// Analyses the pattern of `matrix` in the order it has.
@@ -127,7 +125,7 @@ impl SparseStructure {
 /// `K = L Lᵀ` of a sparse symmetric positive definite matrix in its own order.
 #[derive(Clone, Debug)]
 pub struct SparseCholesky {
-    structure: SparseStructure,
+    pub(super) structure: SparseStructure,
     values: Vec<f64>,
 }
 
@@ -169,12 +167,17 @@ impl SparseCholesky {
         })
     }
 
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.structure.0.nrows()
+    }
+
     /// The structure that this factor shares with others of its pattern.
     pub fn structure(&self) -> &SparseStructure {
         &self.structure
     }
 
-    fn supernodal(&self) -> Option<SupernodalLltRef<'_, usize, f64>> {
+    pub(super) fn supernodal(&self) -> Option<SupernodalLltRef<'_, usize, f64>> {
         match self.structure.0.raw() {
             SymbolicCholeskyRaw::Supernodal(symbolic) => {
                 Some(SupernodalLltRef::new(symbolic, &self.values))
@@ -183,33 +186,6 @@ impl SparseCholesky {
             // pivot is one: only a matrix without unknowns stays simplicial.
             SymbolicCholeskyRaw::Simplicial(_) => None,
         }
-    }
-
-    /// Copies the trailing block of L, `count` × `count`, lower triangular; `count` is at most the number of unknowns.
-    pub fn trailing_block(&self, count: usize) -> DMatrix<f64> {
-        let mut block = DMatrix::zeros(count, count);
-        let Some(factor) = self.supernodal() else {
-            return block;
-        };
-        let first = self.structure.0.nrows() - count;
-        for s in 0..factor.symbolic().n_supernodes() {
-            let supernode = factor.supernode(s);
-            let (start, entries) = (supernode.start(), supernode.val());
-            let width = entries.ncols();
-            if start + width <= first {
-                continue;
-            }
-            for local in first.saturating_sub(start)..width {
-                let column = start + local - first;
-                for row in local..width {
-                    block[(start + row - first, column)] = entries[(row, local)];
-                }
-                for (k, &row) in supernode.pattern().iter().enumerate() {
-                    block[(row - first, column)] = entries[(width + k, local)];
-                }
-            }
-        }
-        block
     }
 
     /// Overwrites `x`, one or more columns of one entry per unknown, one after the other, with L⁻¹ x.
@@ -240,7 +216,7 @@ impl SparseCholesky {
         let Some(factor) = self.supernodal() else {
             return;
         };
-        let rows = self.structure.0.nrows();
+        let rows = self.unknowns();
         if rows == 0 {
             return;
         }
@@ -256,6 +232,8 @@ impl SparseCholesky {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::DMatrix;
+
     use super::*;
 
     /// Laplacian of an m × m grid plus a small shift, in natural order.

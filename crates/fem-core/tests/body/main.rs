@@ -3,6 +3,7 @@
 //! Every reference is made independently of the code under test: exact fields of elasticity, or dense algebra on
 //! stiffness matrices assembled entry by entry.
 
+mod blocks;
 mod condensation;
 mod equilibrium;
 mod errors;

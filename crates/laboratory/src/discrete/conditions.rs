@@ -82,7 +82,7 @@ impl<'a> Conditions<'a> {
     /// Largest violation of any equation or condition by `trial`; infinite if that is not a number.
     pub(super) fn violation(&self, trial: &TrialState) -> f64 {
         let motion = &self.free
-            + self.problem.compliance() * &trial.forces
+            + &*self.problem.compliance().to_matrix() * &trial.forces
             + self.problem.modes() * &trial.rigid;
         let [force, length] = self.scales(&trial.forces, &motion);
         let balance = self.problem.modes().tr_mul(&trial.forces) + &self.mode_load;
@@ -199,7 +199,7 @@ impl<'a> Conditions<'a> {
 
     /// The state with these statuses, whether or not it is admissible.
     fn candidate(&self, status: &[Status]) -> Candidate {
-        let (compliance, modes) = (self.problem.compliance(), self.problem.modes());
+        let (compliance, modes) = (self.problem.compliance().to_matrix(), self.problem.modes());
         let (size, rigid) = (compliance.nrows(), modes.ncols());
         let mut matrix = DMatrix::zeros(size + rigid, size + rigid);
         let mut side = DVector::zeros(size + rigid);
@@ -233,7 +233,7 @@ impl<'a> Conditions<'a> {
         };
         let forces = solution.rows(0, size).into_owned();
         let rigid = solution.rows(size, rigid).into_owned();
-        let motion = &self.free + compliance * &forces + modes * &rigid;
+        let motion = &self.free + &*compliance * &forces + modes * &rigid;
         Candidate::Only(TrialState {
             forces,
             motion,
@@ -253,7 +253,7 @@ impl<'a> Conditions<'a> {
         let size = self.free.len();
         matrix
             .view_mut((row, 0), (1, size))
-            .copy_from(&self.problem.compliance().row(row));
+            .copy_from(&self.problem.compliance().to_matrix().row(row));
         let modes = self.problem.modes().row(row);
         matrix
             .view_mut((row, size), (1, modes.ncols()))

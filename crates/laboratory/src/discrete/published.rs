@@ -213,7 +213,8 @@ fn states(
             }
             let forces = normal_first(&fractions(&solution.force)?);
             // The rigid motions are displacements of their own, the elastic part being zero along them.
-            let elastic = problem.compliance() * &forces + problem.load_motion(multipliers);
+            let elastic =
+                &*problem.compliance().to_matrix() * &forces + problem.load_motion(multipliers);
             let mut rest = &motion - elastic;
             for (k, gap) in gaps.iter().enumerate() {
                 rest[2 * k] -= gap;

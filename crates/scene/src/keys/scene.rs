@@ -43,6 +43,10 @@ pub(super) const TABLES: &[Table] = &[
             "small: contact is found on the undeformed geometry; deformed-gaps: gaps, normals and closest points follow the displacement, \
             between linear bodies, for exact gaps and matching meshes; not for progressive failure and experiments; auto: deformed-gaps where it \
             changes more than three tenths of the accuracy, otherwise small with the change among the errors"),
+        words("compliance", r#"`"auto"`, `"matrix"`, `"blocks"`"#, r#"`"auto"`"#, r#""blocks""#,
+            "how the compliance of a body with contact on several edges is held: matrix: as one; blocks: as a matrix for each edge and few shapes \
+            of forces, harmonics on a hole, by which edges act on each other, with the error in tractions among the choices; auto: blocks beyond \
+            4000 components where solver and kinematics allow them"),
         names("solver", solvers,
             r#"`"auto"`"#, r#""pivoting""#,
             "auto and newton: semismooth Newton, then pivoting where it fails; status: iteration of statuses before these \

@@ -16,6 +16,9 @@ pub struct Analysis {
     /// On which geometry contact is found, where the scene says so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kinematics: Option<KinematicsChoice>,
+    /// How the compliance of a body is held, where the scene says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compliance: Option<ComplianceChoice>,
     /// Solver of the contact problem.
     #[serde(with = "solver_name")]
     pub solver: SolverChoice,
@@ -46,6 +49,7 @@ impl Default for Analysis {
             plane: PlaneState::Stress,
             model: ModelChoice::Auto,
             kinematics: None,
+            compliance: None,
             solver: SolverChoice::Auto,
             experimental: false,
             substeps: None,
@@ -91,6 +95,18 @@ pub enum KinematicsChoice {
     DeformedGaps,
     /// The deformed one where that matters to the accuracy that is asked for.
     Auto,
+}
+
+/// How the compliance of a body with contact on several edges is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ComplianceChoice {
+    /// As one matrix up to a size, in blocks beyond.
+    Auto,
+    /// As one matrix.
+    Matrix,
+    /// As a matrix for each edge, and few shapes of forces by which edges act on each other.
+    Blocks,
 }
 
 pub use stickslip_contact::SolverKind as SolverChoice;

@@ -31,6 +31,7 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
         plane,
         model,
         kinematics: _,
+        compliance: _,
         solver: _,
         experimental: _,
         substeps: _,

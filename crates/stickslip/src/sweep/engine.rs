@@ -236,15 +236,22 @@ impl<'a> Shop<'a> {
             };
             let condense = || {
                 let first = self.first_body(&key, case, model.half);
-                let first = first.as_ref().map(|body| (&body.kind, &body.interface));
-                let (elastic, interface) = match first {
-                    Some((ModelBodyKind::Elastic(elastic), interface)) => (elastic, interface),
-                    _ => (elastic, &body.interface),
+                let first = first.map(|first| ModelBody {
+                    ends: body.ends.clone(),
+                    ..first
+                });
+                let condensed = match first.as_ref().map(|body| (body, &body.kind)) {
+                    Some((body, ModelBodyKind::Elastic(elastic))) => body.condense(elastic),
+                    _ => body.condense(elastic),
                 };
-                let condensed = elastic.condense(interface);
                 condensed.map_err(|cause| format!("body '{}': {cause}", body.name))
             };
-            let (condensed, made) = self.store.get(&key, model.half, condense);
+            let held = if body.ends.is_empty() {
+                key.clone()
+            } else {
+                format!("{key} in blocks")
+            };
+            let (condensed, made) = self.store.get(&held, model.half, condense);
             self.condensed
                 .fetch_add(usize::from(made), Ordering::Relaxed);
             condensed.map(Operator::Elastic)

@@ -1,6 +1,7 @@
 //! Scenes as they are modelled: chains of round bodies, several contacts, halves and wholes, remarks.
 
 mod bearing;
+mod blocks;
 mod chains;
 mod deformed;
 mod edges;

@@ -39,7 +39,7 @@ pub(super) fn forces(
     answer: &TrialState,
     factor: f64,
 ) -> Result<DVector<f64>, TaskError> {
-    let compliance = given.problem.compliance();
+    let compliance = given.problem.compliance().to_matrix();
     let spring = factor * compliance.nrows() as f64 / compliance.trace();
     let bodies = bodies(joint, given)?;
     let (springs, held) = springs(given, answer, spring);

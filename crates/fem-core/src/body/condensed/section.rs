@@ -14,7 +14,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::CondensedBody;
+use super::{Compliance, CondensedBody};
 use crate::body::error::BodyError;
 use crate::load::area_load;
 use crate::support::SectionHold;
@@ -187,7 +187,10 @@ impl CondensedBody {
         let q = &own.motions;
         // Q M Qᵀ − U Qᵀ − Q Uᵀ, by one product and its transpose.
         let half = (q * (&inner * 0.5) - &responses) * q.transpose();
-        self.compliance += &half + half.transpose();
+        let Compliance::Matrix(compliance) = &mut self.compliance else {
+            return Err(BodyError::OtherSupports);
+        };
+        *compliance += &half + half.transpose();
         for case in 0..self.mode_loads.len() {
             let resultant = &own.resultants[case];
             let loads = &self.body.cases[case];

@@ -26,7 +26,7 @@ impl BodyStructure {
     }
 
     /// Spreads a matrix on the interface unknowns to the xy components of all contact points.
-    pub(super) fn spread(&self, reduced: &DMatrix<f64>) -> DMatrix<f64> {
+    pub(super) fn spread(&self, reduced: DMatrix<f64>) -> DMatrix<f64> {
         let axes = self.interface_axes();
         let size = 2 * self.interface.len();
         if axes.len() == size
@@ -35,7 +35,7 @@ impl BodyStructure {
                 .iter()
                 .any(|&node| self.constraints[node].is_turned())
         {
-            return reduced.clone();
+            return reduced;
         }
         let mut full = DMatrix::zeros(size, size);
         for (q, &(column_point, column_axis)) in axes.iter().enumerate() {
@@ -49,6 +49,14 @@ impl BodyStructure {
             }
         }
         full
+    }
+
+    /// The interface unknowns, in the order of their points.
+    pub(in crate::body) fn interface_equations(&self) -> impl Iterator<Item = usize> {
+        let equations = self.interface.iter().flat_map(|&node| self.equations[node]);
+        equations
+            .filter(|&equation| equation != HELD)
+            .map(|equation| equation as usize)
     }
 
     pub(super) fn spread_response(
