@@ -58,8 +58,6 @@ pub struct FailingBody {
     pub sheet: Arc<LaminateSheet>,
     /// Coordinate that the halves of a half model differ in.
     pub across: usize,
-    /// Nodes where stresses have no bound: the ends of supported edges and of platens, and points that are held.
-    pub singular: Vec<usize>,
     /// Its hole.
     pub(crate) hole: Option<Region>,
     /// Frame of the assumed bearing load on its hole; +x without one.
@@ -125,7 +123,6 @@ impl FailureRequest {
                 cause,
             };
             let mesh = elastic.mesh();
-            let singular = singular(plan, index, mesh).map_err(mesh_error)?;
             let edge = planned.shape.only_hole().map(|edge| edge.name);
             let hole = (edge.as_deref()).map(|set| region(mesh, set)).transpose();
             let hole = hole.map_err(mesh_error)?.flatten();
@@ -147,7 +144,6 @@ impl FailureRequest {
                 body: index,
                 sheet: Arc::clone(sheet),
                 across: planned.shape.mirror().unwrap_or(0),
-                singular,
                 hole,
                 frame,
                 progressive: own.map(|asked| FollowedJoint::of(scene, asked)),
@@ -167,25 +163,6 @@ fn region(mesh: &Mesh, set: &str) -> Result<Option<Region>, MeshError> {
         Curve::Arc { centre, radius } => Some(Region { centre, radius }),
         Curve::Line => None,
     }))
-}
-
-/// Ends of supported edges and platens of a body, and points that are held.
-fn singular(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Result<Vec<usize>, MeshError> {
-    let supports = plan.supports_of(body).map(|support| &support.on);
-    let platens = plan.platens_of(body).map(|platen| &platen.on);
-    let mut nodes = Vec::new();
-    let shape = plan.bodies[body].shape;
-    for on in supports.chain(platens).filter(|on| !shape.is_area(&on.set)) {
-        if mesh.edge_set(&on.set).is_err() {
-            nodes.extend_from_slice(mesh.node_set(&on.set)?);
-            continue;
-        }
-        let path = mesh.edge_path(&on.set)?;
-        if !path.closed {
-            nodes.extend(path.nodes.first().into_iter().chain(path.nodes.last()));
-        }
-    }
-    Ok(nodes)
 }
 
 impl FollowedJoint {

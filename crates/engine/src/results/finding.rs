@@ -14,6 +14,9 @@ pub enum Quantity {
     /// `[rad]`.
     #[serde(rename = "rad")]
     Angle(f64),
+    /// `[MPa]`.
+    #[serde(rename = "MPa")]
+    Stress(f64),
 }
 
 impl Quantity {
@@ -23,13 +26,14 @@ impl Quantity {
         match self {
             Self::Length(value) => Self::Length(value.abs()),
             Self::Angle(value) => Self::Angle(value.abs()),
+            Self::Stress(value) => Self::Stress(value.abs()),
         }
     }
 
-    /// Its number `[mm or rad]`.
+    /// Its number `[mm, rad or MPa]`.
     pub fn value(self) -> f64 {
         match self {
-            Self::Length(value) | Self::Angle(value) => value,
+            Self::Length(value) | Self::Angle(value) | Self::Stress(value) => value,
         }
     }
 }
@@ -130,6 +134,8 @@ pub enum Finding {
         /// The contacts.
         contacts: Vec<String>,
     },
+    /// The elastic stress of a body exceeds the yield stress of its material.
+    Yields(Yield),
     /// A finding about one contact; serialised with the `kind` of that.
     #[serde(untagged)]
     Contact {
@@ -350,6 +356,23 @@ pub struct FreeBody {
     pub motion: FreeMotion,
     /// Contacts that slip in the motion.
     pub contacts: Vec<String>,
+}
+
+/// A body beyond its yield stress.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Yield {
+    /// The body.
+    pub body: String,
+    /// Load steps in which it is beyond.
+    pub steps: Vec<usize>,
+    /// The load step with the largest stress.
+    pub step: usize,
+    /// The largest von Mises stress there `[MPa]`.
+    pub von_mises: Quantity,
+    /// The yield stress `[MPa]`.
+    pub yield_stress: Quantity,
+    /// Place x, y of the largest stress `[mm]`.
+    pub at: [Quantity; 2],
 }
 
 /// What smaller increments change of an answer whose increments were cut back.

@@ -1,5 +1,6 @@
 //! Figures of a run, each with a caption that says what one sees in numbers.
 
+mod deformed;
 pub(super) mod edge;
 mod families;
 pub(super) mod fields;
@@ -77,6 +78,7 @@ pub(super) fn draw(results: &Results) -> Result<(Vec<Drawing>, Vec<String>), Out
     let mut plans: Vec<Plan<'_>> = sketch::all(results);
     plans.extend(edges.iter().flat_map(of_edge));
     plans.extend(failing.iter().flat_map(of_failure));
+    plans.extend(deformed::all(results));
     plans.extend(fields::all(results));
     let drawn = parallel::map(&plans, |plan| {
         let made = (plan.draw)()?;

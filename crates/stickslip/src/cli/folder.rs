@@ -77,8 +77,9 @@ fn of_a_run(name: &str) -> bool {
         "load-displacement-",
         "damage-",
     ];
-    const FIGURES: [&str; 16] = [
+    const FIGURES: [&str; 17] = [
         "sketch.",
+        "deformed-",
         "stresses-",
         "pressure-",
         "shear-",
@@ -131,8 +132,17 @@ fn of_an_experiment(name: &str) -> bool {
 
 /// Which files a sweep of such a version consists of.
 pub(super) fn of_a_sweep(name: &str) -> bool {
+    const FIGURES: [&str; 7] = [
+        "modes",
+        "loads",
+        "pressure-over-",
+        "hoop-over-",
+        "extent-over-",
+        "stick-over-",
+        "share-over-",
+    ];
     ["sweep.json", "cases.csv", "report.html", "summary.json"].contains(&name)
-        || is_one_of(name, "figures/", &["modes", "loads"], &[".svg", ".png"])
+        || is_one_of(name, "figures/", &FIGURES, &[".svg", ".png"])
 }
 
 /// Whether `name` is a file in `folder`, not deeper, that starts and ends with one of the given texts.

@@ -3,6 +3,7 @@
 mod bearing;
 mod chains;
 mod deformed;
+mod displacement;
 mod edges;
 mod frames;
 mod half_plane;
@@ -16,6 +17,7 @@ mod several;
 mod stated;
 mod travel;
 mod unbalanced;
+mod yields;
 
 use std::path::Path;
 

@@ -54,17 +54,20 @@ pub(crate) fn results() -> Results {
                 dofs: 0,
                 factor_entries: 0,
                 free_motions: 0,
+                yield_stress: None,
             },
             BodySummary {
                 name: "plate".into(),
                 dofs: 2 * mesh.nodes().len(),
                 factor_entries: 1234,
                 free_motions: 1,
+                yield_stress: None,
                 mesh: Some(mesh),
             },
         ],
         factorisations: 1,
         edges,
+        sets: Vec::new(),
         parts: Vec::new(),
         steps,
         failure: Vec::new(),
@@ -186,6 +189,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         ],
         unloading,
         edges: edges.iter().map(|edge| edge_step(edge, index)).collect(),
+        sets: Vec::new(),
         work: Work {
             solves: 3 + index,
             ..Work::default()
@@ -212,6 +216,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         } else {
             Vec::new()
         },
+        stresses: Vec::new(),
         seconds: 0.001,
     }
 }

@@ -10,6 +10,8 @@ use crate::results::failure::summary::Failure;
 use crate::results::findings::Entry;
 use crate::results::quantities::SummaryQuantities;
 use crate::results::quantity::Quantity;
+use crate::results::sets;
+use crate::results::stresses;
 
 /// Version of the format; a change that could break a reader raises it.
 pub(super) const FORMAT_VERSION: u32 = 2;
@@ -105,6 +107,8 @@ pub(super) struct Body<'a> {
     pub(super) dofs: usize,
     pub(super) factor_entries: usize,
     pub(super) free_motions: usize,
+    #[serde(rename = "yield")]
+    pub(super) yield_stress: Option<Quantity>,
 }
 
 #[derive(Debug, Serialize)]
@@ -127,7 +131,7 @@ pub(super) struct Edge<'a> {
 
 /// A place or a force.
 #[derive(Debug, Serialize)]
-pub(super) struct Vector {
+pub(crate) struct Vector {
     x: Option<f64>,
     y: Option<f64>,
     unit: &'static str,
@@ -135,7 +139,7 @@ pub(super) struct Vector {
 
 impl Vector {
     /// A vector of base units in `unit`.
-    pub(super) fn of(unit: &Unit, [x, y]: [f64; 2]) -> Self {
+    pub(crate) fn of(unit: &Unit, [x, y]: [f64; 2]) -> Self {
         Self {
             x: tidy(unit.from_base(x)),
             y: tidy(unit.from_base(y)),
@@ -161,6 +165,10 @@ pub(super) struct Step<'a> {
     #[serde(flatten)]
     pub(super) edge: Option<EdgeStep>,
     pub(super) edges: BTreeMap<&'a str, OwnEdgeStep>,
+    /// What loads act on, and what is held.
+    pub(super) sets: Vec<sets::Entry<'a>>,
+    /// Largest stresses of bodies.
+    pub(super) stresses: Vec<stresses::Entry<'a>>,
     pub(super) iterations: usize,
     pub(super) pivots: usize,
     pub(super) solvers: &'a [&'static str],
