@@ -28,7 +28,7 @@ name = "pull"
 on = "plate.right"
 force = { direction = [1, 0], steps = ["7 kN", "14 kN", "14 kN"] }
 [[edges]]
-on = "plate.right"
+on = "plate.top"
 [output]
 fields = "none"
 figures = false
@@ -143,7 +143,7 @@ fn a_rigid_pin_moves_by_what_the_plate_gives() {
         &[
             rigid,
             mesh,
-            r#"supports.0={ on = "pin.centre", fix = ["x", "y"] }"#,
+            r#"supports.0={ on = "pin.rim", fix = ["x", "y"] }"#,
         ],
     );
     let pushed = solved(
@@ -152,8 +152,8 @@ fn a_rigid_pin_moves_by_what_the_plate_gives() {
             rigid,
             mesh,
             r#"supports.0={ on = "plate.left", fix = ["x", "y"] }"#,
-            r#"supports.1={ on = "pin.centre", fix = ["y"] }"#,
-            r#"loads.0={ on = "pin.centre", force = { direction = [1, 0], steps = ["1 kN", "4 kN", "1.5 kN"] } }"#,
+            r#"supports.1={ on = "pin.rim", fix = ["y"] }"#,
+            r#"loads.0={ on = "pin.rim", force = { direction = [1, 0], steps = ["1 kN", "4 kN", "1.5 kN"] } }"#,
         ],
     );
     for step in 0..3 {
