@@ -176,6 +176,19 @@ pub struct EdgeGeometry {
     pub law: String,
     /// From where its places are measured.
     pub frame: ContactFrame,
+    /// The edge of the second body of a contact; `None` where that is rigid, and without contact.
+    pub second: Option<SecondSide>,
+}
+
+/// The edge of the second body of a contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SecondSide {
+    /// Index of the body.
+    pub body: usize,
+    /// Nodes of its mesh along the edge.
+    pub nodes: Vec<usize>,
+    /// Place of each along its own edge: θ `[rad]` or x `[mm]`, ascending.
+    pub parameter: Vec<f64>,
 }
 
 /// One node of an edge at the end of a load step. What is rounding beside the largest of the history is zero.

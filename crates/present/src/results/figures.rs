@@ -6,6 +6,7 @@ mod families;
 pub(super) mod fields;
 mod history;
 mod map;
+pub(super) mod sides;
 pub(super) mod sketch;
 
 use stickslip_contact::Status;
@@ -127,6 +128,9 @@ fn of_edge<'a>(view: &'a EdgeView<'_>) -> Vec<Plan<'a>> {
         plans.push(plan(Group::Edge, "shear", families::shear));
     }
     plans.push(plan(Group::Edge, "hoop", families::hoop));
+    if view.geometry.second.is_some() {
+        plans.push(plan(Group::Edge, "sides", sides::chart));
+    }
     if view.geometry.contact {
         plans.push(plan(Group::History, "map", map::chart));
         plans.push(plan(Group::History, "extent", history::extent_and_peak));

@@ -8,7 +8,7 @@ use super::FileNote;
 use super::display::EdgeView;
 use super::display::shared;
 use super::failure::{self, FailureView};
-use super::figures::{Drawing, Group};
+use super::figures::{Drawing, Group, sides};
 use super::findings;
 use super::problem;
 use super::progressive::{self, ProgressiveView};
@@ -285,6 +285,9 @@ fn steps_section(results: &Results) -> Result<Section, PageError> {
             tables::stress_table(&edge, one_load)
         });
     }
+    let sides = EdgeView::all(results);
+    let sides = sides.iter().filter_map(sides::table);
+    section = sides.fold(section, Section::with);
     let stresses = stresses::table(results).map(|table| table.note(stresses::NOTE));
     let further = sharing::tables(results)
         .into_iter()

@@ -77,8 +77,9 @@ fn of_a_run(name: &str) -> bool {
         "load-displacement-",
         "damage-",
     ];
-    const FIGURES: [&str; 17] = [
+    const FIGURES: [&str; 18] = [
         "sketch.",
+        "sides-",
         "deformed-",
         "stresses-",
         "pressure-",

@@ -124,7 +124,11 @@ fn capitalised(words: &str) -> String {
 fn notes(sweep: &Sweep) -> Prose {
     Prose::new(
         include_str!("page/notes.jinja"),
-        context! { scene => &sweep.scene.title, source => &sweep.scene.source_name },
+        context! {
+            scene => &sweep.scene.title,
+            source => &sweep.scene.source_name,
+            fails => sweep.scene.failure.is_some(),
+        },
     )
 }
 

@@ -13,7 +13,7 @@ use stickslip::results::{
 use super::fixture::results;
 
 /// 1 psi in MPa.
-const PSI: f64 = 4.448_221_615_260_5 / (25.4 * 25.4);
+pub(super) const PSI: f64 = 4.448_221_615_260_5 / (25.4 * 25.4);
 
 /// One of every kind that concerns no contact.
 fn of_the_run() -> Vec<Finding> {

@@ -139,6 +139,7 @@ fn circle() -> EdgeGeometry {
         bearing_area: Some(2.0 * RADIUS * THICKNESS),
         law: "static_dynamic".into(),
         frame: bears_at_zero(),
+        second: None,
     }
 }
 
@@ -162,6 +163,7 @@ fn line(name: &str, contact: bool) -> EdgeGeometry {
         } else {
             ContactFrame::NONE
         },
+        second: None,
     }
 }
 
