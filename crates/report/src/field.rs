@@ -25,6 +25,7 @@ use crate::error::{FigureError, check_cells};
 use crate::frame::OUTER;
 use crate::image::Image;
 use crate::svg::{Canvas, Svg};
+use contour::Contour;
 use layout::Layout;
 use patch::Patch;
 
@@ -190,7 +191,14 @@ impl<'a> FieldPlot<'a> {
                 None => shading::fill(canvas, &paint, patches),
             }
             if let Some(level) = self.contour {
-                contour::draw(canvas, frame, patches, level);
+                let mut line = Contour::new(frame, level);
+                for patch in patches {
+                    if !line.meets(patch.corners()) {
+                        continue;
+                    }
+                    patch.pieces(contour::CUTS, |piece| line.add(piece));
+                }
+                line.draw(canvas);
             }
             outline::draw(canvas, self, frame, patches.len());
         });

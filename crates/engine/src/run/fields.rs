@@ -11,7 +11,7 @@ use super::sets;
 use super::solved::{Operator, Solved};
 use crate::model::Model;
 use crate::results::{BodyFields, SetMotion};
-use crate::series::{SeriesBody, SeriesField, stress_at};
+use crate::series::{SeriesBody, stress_at};
 
 /// Displacements of one body, in numbers, that are held at once while its balance is audited.
 const HELD: usize = 1 << 21;
@@ -208,25 +208,9 @@ fn recover_series(
     }
 }
 
-/// The field of a body by series under the contact forces `forces` in the step of `record`, without its rigid motions. The numbers are those of the body's
-/// own operator, so there is one.
-pub(super) fn field_of(
-    body: &SeriesBody,
-    record: &StepRecord,
-    forces: &[f64],
-) -> Option<SeriesField> {
-    let still = vec![0.0; body.interface().modes().ncols()];
-    let state = BodyLoad {
-        forces,
-        multipliers: &record.state.multipliers,
-        motions: &still,
-    };
-    body.field(&state).ok()
-}
-
 /// Displacements of a body by series at `places`, without its rigid motions, x and y of each in turn.
 fn strained(body: &SeriesBody, record: &StepRecord, forces: &[f64], places: &[Point]) -> Vec<f64> {
-    let Some(field) = field_of(body, record, forces) else {
+    let Some(field) = body.strained(record, forces) else {
         return Vec::new();
     };
     // The places are those of the body's mesh.
@@ -313,7 +297,7 @@ fn stresses(
     forces: &[f64],
     places: &[Point],
 ) -> Vec<[f64; 3]> {
-    let Some(field) = field_of(body, record, forces) else {
+    let Some(field) = body.strained(record, forces) else {
         return Vec::new();
     };
     let at = |&place: &Point| stress_at(&field, body, place);

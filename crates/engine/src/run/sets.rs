@@ -4,7 +4,6 @@ use stickslip_contact::StepRecord;
 use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
-use super::fields::field_of;
 use super::solved::{Operator, Solved};
 use crate::model::{Measure, Model, ModelSet};
 use crate::results::{SetKind, SetMotion};
@@ -146,7 +145,7 @@ pub(super) fn of_series(
     let (Some(own), None) = (model.bodies[index].elastic(), body.line_nodes()) else {
         return;
     };
-    let Some(field) = field_of(body, record, forces) else {
+    let Some(field) = body.strained(record, forces) else {
         return;
     };
     let places = own.mesh().nodes();

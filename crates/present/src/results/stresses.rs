@@ -5,8 +5,7 @@ use stickslip_engine::results::{BodyStresses, Results, StressPeak};
 use stickslip_report::table::Table;
 use stickslip_text::{short, significant};
 
-use super::quantity::Quantity;
-use super::summary::Vector;
+use super::quantity::{Quantity, Vector};
 
 /// What the table says of its places.
 pub(super) const NOTE: &str = "At the nodes of the elastic bodies, each in the step with its largest von Mises stress: of bodies with a yield stress among all steps, of \

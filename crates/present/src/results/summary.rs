@@ -2,8 +2,6 @@
 
 mod keys;
 
-pub(super) use keys::Vector;
-
 use std::collections::BTreeMap;
 
 use stickslip_contact::Status;
@@ -13,7 +11,7 @@ use super::display::{EdgeView, energy, energy_unit};
 use super::failure::{self, FailureView};
 use super::findings;
 use super::quantities::SummaryQuantities;
-use super::quantity::Quantity;
+use super::quantity::{Quantity, Vector};
 use super::sets;
 use super::stresses;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};

@@ -1,6 +1,5 @@
 //! The line along which a field has one value, straight within pieces of cells.
 
-use super::patch::Patch;
 use crate::color::Color;
 use crate::frame::Frame;
 use crate::markup::push_point;
@@ -9,28 +8,48 @@ use crate::svg::Canvas;
 
 const LINE: Color = Color::rgb(0xd0, 0x10, 0x10);
 const WIDTH: f64 = 1.6;
-/// Pieces along each side of a cell.
-const CUTS: usize = 4;
+/// Pieces along each side of a cell whose nodes lie on both sides of the line.
+pub(crate) const CUTS: usize = 4;
 
-/// Draws the line where the value of `patches` is `level`.
-pub(crate) fn draw(canvas: &mut Canvas, frame: &Frame, patches: &[Patch], level: f64) {
-    let mut data = String::new();
-    for patch in patches {
-        let above = |corner: &[f64; 3]| corner[2] > level;
-        let corners = patch.corners();
-        // Between its nodes a field departs little from their values.
-        if corners.iter().all(above) || !corners.iter().any(above) {
-            continue;
+/// The line along which a field has the value `level`.
+pub(crate) struct Contour<'a> {
+    frame: &'a Frame,
+    level: f64,
+    data: String,
+}
+
+impl<'a> Contour<'a> {
+    pub(crate) fn new(frame: &'a Frame, level: f64) -> Self {
+        Self {
+            frame,
+            level,
+            data: String::new(),
         }
-        patch.pieces(CUTS, |piece| {
-            for k in 1..piece.len() - 1 {
-                if let Some(ends) = crossing([piece[0], piece[k], piece[k + 1]], level) {
-                    add(&mut data, frame, ends);
-                }
-            }
-        });
     }
-    canvas.stroked_path(&data, &Stroke::solid(LINE, WIDTH));
+
+    /// Whether corners (x, y, value) lie on both sides of the line.
+    pub(crate) fn meets(&self, corners: &[[f64; 3]]) -> bool {
+        let above = |corner: &[f64; 3]| corner[2] > self.level;
+        corners.iter().any(above) && !corners.iter().all(above)
+    }
+
+    /// Adds what lies in a convex piece of corners (x, y, value).
+    pub(crate) fn add(&mut self, piece: &[[f64; 3]]) {
+        for k in 1..piece.len() - 1 {
+            let triangle = [piece[0], piece[k], piece[k + 1]];
+            let Some(ends) = crossing(triangle, self.level) else {
+                continue;
+            };
+            if let [Some(from), Some(to)] = ends.map(|end| self.frame.pixel(end)) {
+                push_point(&mut self.data, 'M', from);
+                push_point(&mut self.data, 'L', to);
+            }
+        }
+    }
+
+    pub(crate) fn draw(&self, canvas: &mut Canvas) {
+        canvas.stroked_path(&self.data, &Stroke::solid(LINE, WIDTH));
+    }
 }
 
 /// Where `level` crosses a triangle of corners (x, y, value).
@@ -45,13 +64,6 @@ fn crossing(triangle: [[f64; 3]; 3], level: f64) -> Option<[[f64; 2]; 2]> {
         point.iter().all(|x| x.is_finite()).then_some(point)
     });
     Some([ends.next()?, ends.next()?])
-}
-
-fn add(data: &mut String, frame: &Frame, [from, to]: [[f64; 2]; 2]) {
-    if let (Some(from), Some(to)) = (frame.pixel(from), frame.pixel(to)) {
-        push_point(data, 'M', from);
-        push_point(data, 'L', to);
-    }
 }
 
 #[cfg(test)]

@@ -67,7 +67,12 @@ pub fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Drawing>, Vec<String>) {
         }
     }
     let (further, about) = curves::draw(sweep, rows);
-    drawings.extend(further);
+    let drawing = |(name, (picture, caption))| Drawing {
+        name,
+        picture,
+        caption,
+    };
+    drawings.extend(further.into_iter().map(drawing));
     remarks.extend(about);
     (drawings, remarks)
 }

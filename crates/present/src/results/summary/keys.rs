@@ -3,13 +3,11 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use stickslip_scene::units::Unit;
-use stickslip_text::tidy;
 
 use crate::results::failure::summary::Failure;
 use crate::results::findings::Entry;
 use crate::results::quantities::SummaryQuantities;
-use crate::results::quantity::Quantity;
+use crate::results::quantity::{Quantity, Vector};
 use crate::results::sets;
 use crate::results::stresses;
 
@@ -127,25 +125,6 @@ pub(super) struct Edge<'a> {
     pub(super) bearing_found: Option<String>,
     pub(super) nodes: usize,
     pub(super) half: bool,
-}
-
-/// A place or a force.
-#[derive(Debug, Serialize)]
-pub(crate) struct Vector {
-    x: Option<f64>,
-    y: Option<f64>,
-    unit: &'static str,
-}
-
-impl Vector {
-    /// A vector of base units in `unit`.
-    pub(crate) fn of(unit: &Unit, [x, y]: [f64; 2]) -> Self {
-        Self {
-            x: tidy(unit.from_base(x)),
-            y: tidy(unit.from_base(y)),
-            unit: unit.name,
-        }
-    }
 }
 
 #[derive(Debug, Serialize)]

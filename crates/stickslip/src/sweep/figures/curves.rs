@@ -7,7 +7,6 @@ use stickslip_report::chart::{LineChart, Series, SeriesStyle};
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
-use super::Drawing;
 use crate::sweep::Sweep;
 use crate::sweep::row::{Measures, Row};
 
@@ -16,6 +15,9 @@ const MOST_CURVES: usize = 8;
 
 /// A number of a case with its error, 0 where none is stated.
 type Value = fn(&Measures) -> Option<[f64; 2]>;
+
+/// A name of files, with the picture and its caption.
+type Named = (String, (Svg, String));
 
 /// What is drawn.
 struct Quantity {
@@ -92,7 +94,7 @@ fn ratio(part: f64, whole: f64, errors: [Option<f64>; 2]) -> Option<[f64; 2]> {
 }
 
 /// All charts of a sweep without failure criteria, and remarks on those that could not be drawn or have fewer curves.
-pub(super) fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Drawing>, Vec<String>) {
+pub(super) fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Named>, Vec<String>) {
     let (mut drawings, mut remarks) = (Vec::new(), Vec::new());
     if sweep.scene.failure.is_some() {
         return (drawings, remarks);
@@ -117,11 +119,10 @@ pub(super) fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Drawing>, Vec<String>) {
         };
         for quantity in &QUANTITIES {
             match view.chart(quantity, &lines) {
-                Some(Ok((picture, caption))) => drawings.push(Drawing {
-                    name: format!("{}-over-axis-{}", quantity.stem, index + 1),
-                    picture,
-                    caption,
-                }),
+                Some(Ok(drawn)) => {
+                    let name = format!("{}-over-axis-{}", quantity.stem, index + 1);
+                    drawings.push((name, drawn));
+                }
                 Some(Err(cause)) => {
                     let (title, symbol) = (quantity.title, axis.symbol());
                     remarks.push(format!("{title} over {symbol}: {cause}"));
