@@ -161,14 +161,11 @@ fn table(set: SetView<'_>) -> Table {
     if steps > 1 {
         columns = columns.with("tangent", unit, move |step| cell(set.tangent(step)));
     }
-    let (on, direction) = (&set.set.on, set.direction());
+    let on = &set.set.on;
     let caption = if set.is_held() {
-        format!("Displacement of {on} along {direction}")
+        format!("Displacement of {on} along {}", set.direction())
     } else {
-        format!(
-            "Displacement of {on} along {direction} under '{}'",
-            set.set.name
-        )
+        format!("Displacement of {on} along '{}'", set.set.name)
     };
     columns.table(caption, 0..steps)
 }

@@ -360,7 +360,14 @@ fn a_half_that_bears_behind_reads_as_its_mirror_image() {
     let ahead = solved(RING, &pulls);
     let behind = solved(
         RING,
-        &[&pulls[..], &["loads.0.force.direction=[-1, 0]"]].concat(),
+        &[
+            &pulls[..],
+            &[
+                "loads.0.force.direction=[-1, 0]",
+                "loads.1.force.direction=[-1, 0]",
+            ],
+        ]
+        .concat(),
     );
     assert!(ahead.edges[0].half && behind.edges[0].half);
     let [one, other] = [&ahead, &behind].map(|results| summary_json(results).unwrap());
