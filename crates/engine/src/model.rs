@@ -16,6 +16,8 @@ mod request;
 mod resultant;
 mod room;
 mod series;
+mod sets;
+mod singular;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -43,6 +45,8 @@ pub(crate) use room::parts;
 
 use plan::Plan;
 pub(crate) use plan::Seat;
+pub use sets::{Measure, ModelSet};
+pub use singular::Singular;
 
 /// Why a scene that reads well cannot be modelled.
 #[derive(Debug, Error)]
@@ -193,6 +197,12 @@ pub struct ModelBody {
     pub interface: Vec<usize>,
     /// Ends of its edges among these where its compliance has a block for each; empty where it is one matrix.
     pub ends: Vec<usize>,
+    /// Coordinate that the two halves differ in, where one of them is modelled.
+    pub across: Option<usize>,
+    /// Where its stresses have no bound.
+    pub singular: Vec<Singular>,
+    /// Von Mises stress at which its material yields `[MPa]`, where the scene gives one.
+    pub yield_stress: Option<f64>,
     /// Its operator where it is a series, ready; its mesh is then the places where fields are shown.
     pub series: Option<Arc<SeriesBody>>,
 }
@@ -293,8 +303,8 @@ pub struct Model {
     pub contacts: Vec<ModelContact>,
     /// Contact edges first, then further edges.
     pub edges: Vec<ModelEdge>,
-    /// Nodes of each body where stresses have no bound: the ends of supported edges and of platens, and points that are held.
-    pub singular: Vec<Vec<usize>>,
+    /// Sets that loads act on, and those that are held.
+    pub sets: Vec<ModelSet>,
     /// Load multipliers per step.
     pub history: LoadHistory,
     /// Whether one half of a symmetric scene is modelled.
@@ -338,25 +348,29 @@ impl Model {
         }
         let ends = contacts.interfaces.into_iter().zip(contacts.rigid_points);
         let body = |(index, (interface, points)): (usize, (Vec<usize>, Vec<Point>))| {
+            let own = &plan.bodies[index];
+            let singular = match meshes.get(&index) {
+                Some(mesh) => singular::places(&plan, index, mesh).map_err(|cause| {
+                    let body = own.name.to_owned();
+                    ModelError::Mesh { body, cause }
+                })?,
+                None => Vec::new(),
+            };
             Ok(ModelBody {
-                name: plan.bodies[index].name.to_owned(),
+                name: own.name.to_owned(),
+                across: own.shape.mirror().filter(|_| half),
+                singular,
+                yield_stress: own.elastic.and_then(|own| own.material.yield_stress()),
                 kind: loads::body(&plan, index, &meshes, &materials, half, &points)?,
                 interface,
                 ends: Vec::new(),
-                series: plan.bodies[index].series.clone(),
+                series: own.series.clone(),
             })
         };
         let bodies = ends.enumerate().map(body);
         let mut bodies = bodies.collect::<Result<Vec<_>, ModelError>>()?;
         compliance::choose(scene, &mut bodies, contacts.ends, &mut choices)?;
         choices.push(kinematics(&plan));
-        let singular = |index: usize| match meshes.get(&index) {
-            Some(mesh) => request::singular(&plan, index, mesh).map_err(|cause| ModelError::Mesh {
-                body: plan.bodies[index].name.to_owned(),
-                cause,
-            }),
-            None => Ok(Vec::new()),
-        };
         let model = Self {
             host: scene.host(),
             origin: *origin,
@@ -364,7 +378,7 @@ impl Model {
             facings: contacts.facings,
             contacts: known_of_contacts(&plan, half),
             edges: contacts.edges,
-            singular: (0..bodies.len()).map(singular).collect::<Result<_, _>>()?,
+            sets: sets::all(&plan, &bodies, half)?,
             history: loads::history(&plan)?,
             half,
             choices,
@@ -447,10 +461,12 @@ impl Model {
         Some(failing.iter().find(|own| own.body == body)?.across)
     }
 
-    /// Whether the failure of the body with the index `body` is asked about.
-    pub fn is_asked_for_failure(&self, body: usize) -> bool {
+    /// Whether stresses of the body with the index `body` are asked about in every step: for its failure or for its yield.
+    pub fn is_asked_for_stresses(&self, body: usize) -> bool {
         let failure = self.request.failure.as_ref();
-        failure.is_some_and(|failure| failure.bodies.iter().any(|own| own.body == body))
+        let fails =
+            failure.is_some_and(|failure| failure.bodies.iter().any(|own| own.body == body));
+        fails || self.bodies[body].yield_stress.is_some()
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
 
+mod displacement;
 mod failure;
 mod finding;
 mod frame;
@@ -7,13 +8,17 @@ mod nodes;
 mod placed;
 mod progressive;
 mod resolution;
+mod sharing;
 mod stated;
+mod stresses;
 mod zones;
 
 pub use stated::{Errors, Ladder, LadderEnd, RowErrors, Rung, Stated};
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
+
+pub use displacement::{LoadedSet, SetKind, SetMotion, Stiffness};
 
 pub use failure::{
     BesideSupports, BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope,
@@ -22,13 +27,17 @@ pub use failure::{
 
 pub use finding::{
     ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
-    JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound,
+    JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 
 pub(crate) use nodes::{Nodes, Values, joined, values};
 
 pub use frame::wrapped;
 pub use frame::{BearingSource, ContactFrame};
+
+pub use sharing::LoadShare;
+
+pub use stresses::{BodyStresses, StressPeak, principal, von_mises};
 
 pub use zones::ZoneRange;
 
@@ -70,6 +79,8 @@ pub struct Results {
     pub factorisations: usize,
     /// Contact edges, then further edges asked for: what does not change from step to step.
     pub edges: Vec<EdgeGeometry>,
+    /// Sets of bodies that loads act on, then those that are held.
+    pub sets: Vec<LoadedSet>,
     /// Bodies that contact links, each part solved apart from the others; empty stands for one part of everything.
     pub parts: Vec<ResultPart>,
     /// Load steps.
@@ -125,6 +136,8 @@ pub struct BodySummary {
     pub factor_entries: usize,
     /// Rigid motions that its supports leave free.
     pub free_motions: usize,
+    /// Von Mises stress at which its material yields `[MPa]`, where the scene gives one.
+    pub yield_stress: Option<f64>,
 }
 
 /// How places along an edge are measured.
@@ -166,6 +179,21 @@ pub struct EdgeGeometry {
     pub law: String,
     /// From where its places are measured.
     pub frame: ContactFrame,
+    /// The edge of the second body of a contact; `None` where that is rigid, and without contact.
+    pub second: Option<SecondSide>,
+}
+
+/// The edge of the second body of a contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SecondSide {
+    /// Index of the body.
+    pub body: usize,
+    /// Nodes of its mesh along the edge.
+    pub nodes: Vec<usize>,
+    /// Place of each along its own edge: θ `[rad]` or x `[mm]`, of a path the place s of the first edge that it faces `[mm]`, ascending.
+    pub parameter: Vec<f64>,
+    /// Unit normal of the contact at each, from the second body into the first.
+    pub normals: Vec<[f64; 2]>,
 }
 
 /// One node of an edge at the end of a load step. What is rounding beside the largest of the history is zero.
@@ -282,6 +310,9 @@ pub struct StepResults {
     pub unloading: bool,
     /// Edges in the order of [`Results::edges`].
     pub edges: Vec<EdgeResults>,
+    /// Force and displacement of the sets in the order of [`Results::sets`]; `None` where they are not recovered, as in cases of a sweep, and on
+    /// half-planes, whose displacement has no bound.
+    pub sets: Vec<Option<SetMotion>>,
     /// Work of the solvers.
     pub work: Work,
     /// Names of the solvers that found its increments.
@@ -306,6 +337,8 @@ pub struct StepResults {
     pub dissipation: f64,
     /// Fields of each elastic body, where requested.
     pub fields: Vec<BodyFields>,
+    /// Largest stresses, of bodies whose material has a yield stress in all steps, of other elastic ones in those with fields.
+    pub stresses: Vec<BodyStresses>,
     /// Wall time of the step's contact solution `[s]`.
     pub seconds: f64,
 }

@@ -12,7 +12,9 @@ mod progressive;
 mod remarks;
 mod reported;
 mod seats;
+mod sets;
 mod solved;
+mod stresses;
 
 use std::sync::Arc;
 
@@ -348,6 +350,7 @@ fn reported(
         bodies: bodies(model, &solved),
         factorisations: operators.filter_map(Operator::elastic).count(),
         edges: geometries,
+        sets: model.sets.iter().map(|own| own.set.clone()).collect(),
         parts: parts(model),
         steps,
         failure: Vec::new(),
@@ -365,11 +368,14 @@ fn reported(
         results.steps[index].fields =
             fields::with_stresses(model, &solved, &recovered[index], index)?;
     }
+    stresses::put(model, &recovered, &mut results.steps)?;
     solved
         .phases
         .push(("stresses", model.host.seconds() - start));
     results.phases = solved.phases;
     results.place(model)?;
+    let yields = stresses::yields(model, &results.steps);
+    results.findings.extend(yields);
     Ok(results)
 }
 
@@ -386,6 +392,7 @@ fn steps(
             unloading: false,
             loads: model.request.loads.at_step(index),
             edges,
+            sets: recovered[index].sets.clone(),
             work: record.work,
             solvers: record.solvers.clone(),
             increments: record.increments,
@@ -397,6 +404,7 @@ fn steps(
             balance: recovered[index].balance.clone(),
             dissipation: record.dissipation() * if model.half { 2.0 } else { 1.0 },
             fields: Vec::new(),
+            stresses: Vec::new(),
             seconds: solved.step_seconds[index],
         }
     };
@@ -490,6 +498,7 @@ fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
                 factor_entries: elastic
                     .map_or(0, |condensed| condensed.structure().factor_entries()),
                 free_motions: operator.interface().modes().ncols(),
+                yield_stress: body.yield_stress,
             }
         })
         .collect()

@@ -86,6 +86,17 @@ impl SeriesBody {
         })
     }
 
+    /// The field in the step of `record` under the contact forces `forces`, without its rigid motions; `None` for numbers of another operator.
+    pub(crate) fn strained(&self, record: &StepRecord, forces: &[f64]) -> Option<SeriesField> {
+        let still = vec![0.0; self.interface().modes().ncols()];
+        let state = BodyLoad {
+            forces,
+            multipliers: &record.state.multipliers,
+            motions: &still,
+        };
+        self.field(&state).ok()
+    }
+
     /// Stresses normal to its contact edge, along it and shear at `places`, angles `[rad]` or x `[mm]`, under each of `states`, by state and place.
     ///
     /// # Errors

@@ -12,6 +12,7 @@
 //! painted pixel by pixel into an image inside the SVG.
 
 pub(crate) mod color_bar;
+mod contour;
 mod layout;
 mod outline;
 mod patch;
@@ -24,6 +25,7 @@ use crate::error::{FigureError, check_cells};
 use crate::frame::OUTER;
 use crate::image::Image;
 use crate::svg::{Canvas, Svg};
+use contour::Contour;
 use layout::Layout;
 use patch::Patch;
 
@@ -58,6 +60,8 @@ pub struct FieldPlot<'a> {
     /// Factors of x, y and the value in the mirror image that completes a half model: `[1, −1, 1]` a normal stress over y ≥ 0,
     /// `[−1, 1, −1]` a shear stress over x ≥ 0.
     pub mirror: Option<[f64; 3]>,
+    /// A value along which a line is drawn.
+    pub contour: Option<f64>,
     /// Largest width of the whole figure \[px\].
     pub width: f64,
 }
@@ -85,6 +89,7 @@ impl<'a> FieldPlot<'a> {
             window: None,
             draw_mesh: false,
             mirror: None,
+            contour: None,
             width: 720.0,
         }
     }
@@ -128,6 +133,13 @@ impl<'a> FieldPlot<'a> {
     #[must_use]
     pub fn mirror(mut self, factors: [f64; 3]) -> Self {
         self.mirror = Some(factors);
+        self
+    }
+
+    /// Draws a line where the value is `level`.
+    #[must_use]
+    pub fn contour(mut self, level: f64) -> Self {
+        self.contour = Some(level);
         self
     }
 
@@ -177,6 +189,16 @@ impl<'a> FieldPlot<'a> {
             match image.zip(png) {
                 Some((image, png)) => canvas.image(&frame.area, image, png),
                 None => shading::fill(canvas, &paint, patches),
+            }
+            if let Some(level) = self.contour {
+                let mut line = Contour::new(frame, level);
+                for patch in patches {
+                    if !line.meets(patch.corners()) {
+                        continue;
+                    }
+                    patch.pieces(contour::CUTS, |piece| line.add(piece));
+                }
+                line.draw(canvas);
             }
             outline::draw(canvas, self, frame, patches.len());
         });

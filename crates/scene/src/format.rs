@@ -109,6 +109,8 @@ pub(super) struct IsotropicFormat {
     pub(super) young: Quantity<Stress>,
     pub(super) poisson: f64,
     pub(super) expansion: Option<Quantity<PerTemperature>>,
+    #[serde(rename = "yield")]
+    pub(super) yield_stress: Option<Quantity<Stress>>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]

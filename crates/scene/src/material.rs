@@ -19,6 +19,8 @@ pub enum Material {
         poisson: f64,
         /// Coefficient of thermal expansion `[1/K]`.
         expansion: f64,
+        /// Von Mises stress at which it yields `[MPa]`, where it is known. The material stays elastic beyond.
+        yield_stress: Option<f64>,
     },
     /// Three planes of symmetry.
     Orthotropic {
@@ -79,6 +81,7 @@ impl Material {
                 young,
                 poisson,
                 expansion,
+                yield_stress: _,
             } => Ok(Box::new(
                 Isotropic::new(young, poisson, plane)?.with_expansion(expansion)?,
             )),
@@ -110,6 +113,14 @@ impl Material {
         match self {
             Self::Laminate(sheet) => Some(sheet),
             Self::Isotropic { .. } | Self::Orthotropic { .. } => None,
+        }
+    }
+
+    /// Von Mises stress at which it yields `[MPa]`, where it is known.
+    pub fn yield_stress(&self) -> Option<f64> {
+        match self {
+            Self::Isotropic { yield_stress, .. } => *yield_stress,
+            Self::Orthotropic { .. } | Self::Laminate(_) => None,
         }
     }
 

@@ -312,9 +312,39 @@ impl Piece {
     }
 }
 
-/// φ′, φ″ and ψ′ of a corner's term at `z`.
+/// φ′, φ″ and ψ′ of a corner's term at `z`. In the corner itself they have no bound and what they add to displacements and stresses has one, so
+/// they are taken within rounding of it.
 pub(crate) fn corner(place: C64, z: C64) -> [C64; 3] {
     let i = C64::new(0.0, 1.0);
-    let slope = -i / (place - z);
-    [i * (1.0 - z / place).ln(), slope, -place.conj() * slope]
+    let slope = -i / apart(place - z, place);
+    [i * corner_log(place, z), slope, -place.conj() * slope]
+}
+
+/// ln(1 − z/c) of the corner c, finite in the corner itself.
+pub(crate) fn corner_log(place: C64, z: C64) -> C64 {
+    apart(1.0 - z / place, C64::new(1.0, 0.0)).ln()
+}
+
+/// `difference`, or rounding of `size` where there is none.
+fn apart(difference: C64, size: C64) -> C64 {
+    if difference.norm_sqr() > 0.0 {
+        difference
+    } else {
+        size * f64::EPSILON
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn displacements_are_continuous_in_a_corner() {
+        // (c − z) conj ln(1 − z/c), which vanishes there.
+        let place = C64::new(-4.0, 3.0);
+        let [own, slope, other] = corner(place, place);
+        let moved = -place * own.conj() + place * own.conj();
+        assert!(own.is_finite() && slope.is_finite() && moved.norm() < 1e-13);
+        assert!((place.conj() * slope + other).norm() <= 1e-15 * other.norm());
+    }
 }

@@ -16,7 +16,7 @@ const FAMILIES: &[(&str, usize)] = &[
     ("laminate", 2),
     ("measure", 10),
     ("mesh-files", 12),
-    ("present", 26),
+    ("present", 28),
     ("report", 13),
     ("scene", 6),
     ("series", 4),

@@ -16,7 +16,7 @@ use self::geometry::Geometry;
 use self::projection::{Side, Tied};
 use super::plan::{ContactPlan, Placed, Plan};
 use super::{Meshes, ModelEdge, ModelError, loads};
-use crate::results::Choice;
+use crate::results::{Choice, SecondSide};
 use crate::series::SeriesBody;
 use stickslip_scene::schema::{Contact, DisplayUnits, SetRef};
 
@@ -140,7 +140,13 @@ impl Contacts {
         }
         let local = above.local.clone().collect();
         let edge = upper.into_model_edge(first, body, half, Some(self.pairs.len()));
-        let edge = loaded(plan, first, edge);
+        let mut edge = loaded(plan, first, edge);
+        edge.geometry.second = lower.map(|lower| SecondSide {
+            body: second.body,
+            normals: lower.path.iter().map(|(_, normal)| *normal).collect(),
+            nodes: lower.nodes,
+            parameter: lower.parameter,
+        });
         self.edges.push(in_contact(edge, contact, local, &points));
         self.pairs.push(ContactPair {
             name: contact.name.clone(),

@@ -165,25 +165,6 @@ fn region(mesh: &Mesh, set: &str) -> Result<Option<Region>, MeshError> {
     }))
 }
 
-/// Ends of supported edges and platens of a body, and points that are held.
-pub(super) fn singular(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Result<Vec<usize>, MeshError> {
-    let supports = plan.supports_of(body).map(|support| &support.on);
-    let platens = plan.platens_of(body).map(|platen| &platen.on);
-    let mut nodes = Vec::new();
-    let shape = plan.bodies[body].shape;
-    for on in supports.chain(platens).filter(|on| !shape.is_area(&on.set)) {
-        if mesh.edge_set(&on.set).is_err() {
-            nodes.extend_from_slice(mesh.node_set(&on.set)?);
-            continue;
-        }
-        let path = mesh.edge_path(&on.set)?;
-        if !path.closed {
-            nodes.extend(path.nodes.first().into_iter().chain(path.nodes.last()));
-        }
-    }
-    Ok(nodes)
-}
-
 impl FollowedJoint {
     fn of(scene: &Scene, asked: &Progressive) -> Self {
         let (drives_body, driven) = match &asked.control {

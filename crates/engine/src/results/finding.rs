@@ -17,6 +17,9 @@ pub enum Quantity {
     /// An arc length along an edge from its middle `[mm]`.
     #[serde(rename = "mm along the edge")]
     Along(f64),
+    /// `[MPa]`.
+    #[serde(rename = "MPa")]
+    Stress(f64),
 }
 
 impl Quantity {
@@ -27,13 +30,16 @@ impl Quantity {
             Self::Length(value) => Self::Length(value.abs()),
             Self::Angle(value) => Self::Angle(value.abs()),
             Self::Along(value) => Self::Along(value.abs()),
+            Self::Stress(value) => Self::Stress(value.abs()),
         }
     }
 
-    /// Its number `[mm or rad]`.
+    /// Its number `[mm, rad or MPa]`.
     pub fn value(self) -> f64 {
         match self {
-            Self::Length(value) | Self::Angle(value) | Self::Along(value) => value,
+            Self::Length(value) | Self::Angle(value) | Self::Along(value) | Self::Stress(value) => {
+                value
+            }
         }
     }
 }
@@ -150,6 +156,8 @@ pub enum Finding {
         /// The contacts.
         contacts: Vec<String>,
     },
+    /// The elastic stress of a body exceeds the yield stress of its material.
+    Yields(Yield),
     /// A finding about one contact; serialised with the `kind` of that.
     #[serde(untagged)]
     Contact {
@@ -377,6 +385,23 @@ pub struct FreeBody {
     pub motion: FreeMotion,
     /// Contacts that slip in the motion.
     pub contacts: Vec<String>,
+}
+
+/// A body beyond its yield stress.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Yield {
+    /// The body.
+    pub body: String,
+    /// Load steps in which it is beyond.
+    pub steps: Vec<usize>,
+    /// The load step with the largest stress.
+    pub step: usize,
+    /// The largest von Mises stress there `[MPa]`.
+    pub von_mises: Quantity,
+    /// The yield stress `[MPa]`.
+    pub yield_stress: Quantity,
+    /// Place x, y of the largest stress `[mm]`.
+    pub at: [Quantity; 2],
 }
 
 /// What smaller increments change of an answer whose increments were cut back.

@@ -24,6 +24,14 @@ impl Results {
                 .cycle_places
                 .iter_mut()
                 .for_each(|at| shift(at, by));
+            for stresses in &mut step.stresses {
+                let peaks = [
+                    &mut stresses.von_mises,
+                    &mut stresses.largest_principal,
+                    &mut stresses.least_principal,
+                ];
+                peaks.into_iter().for_each(|peak| shift(&mut peak.at, by));
+            }
             for (edge, geometry) in step.edges.iter_mut().zip(&self.edges) {
                 edge.place(geometry, by);
             }
@@ -34,7 +42,14 @@ impl Results {
         for edge in &mut self.edges {
             match &mut edge.kind {
                 EdgeKind::Circle { centre, .. } => shift(centre, by),
-                EdgeKind::Line => edge.parameter.iter_mut().for_each(|x| *x += by[0]),
+                EdgeKind::Line => {
+                    let other = edge
+                        .second
+                        .iter_mut()
+                        .flat_map(|second| &mut second.parameter);
+                    let own = edge.parameter.iter_mut();
+                    own.chain(other).for_each(|x| *x += by[0]);
+                }
                 EdgeKind::Path => {}
             }
         }

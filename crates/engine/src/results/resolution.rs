@@ -102,6 +102,7 @@ mod tests {
             bearing_area: None,
             law: String::new(),
             frame: ContactFrame::NONE,
+            second: None,
         }
     }
 

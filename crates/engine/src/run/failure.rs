@@ -8,14 +8,13 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use stickslip_contact::InterfaceSolver;
-use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::parallel;
-use stickslip_fem_core::stress::{ElasticField, StressError, cartesian};
+use stickslip_fem_core::stress::StressError;
 use stickslip_laminate::{FailureCriterion, FailureError};
 
 use super::fields::Recovered;
-use super::{RunError, progressive};
+use super::{RunError, progressive, stresses};
 use crate::failure::{PlyStresses, Sites, Tracker};
 use crate::load_scale::LoadScale;
 use crate::model::{FailingBody, Model, ModelBodyKind};
@@ -62,7 +61,6 @@ struct Subject<'a> {
     index: usize,
     name: &'a str,
     mesh: &'a Mesh,
-    material: &'a dyn Material,
     sheet: &'a LaminateSheet,
     plies: PlyStresses,
     /// Coordinate that the halves of a half model differ in.
@@ -82,7 +80,6 @@ impl<'a> Subject<'a> {
             index: own.body,
             name: &body.name,
             mesh: elastic.mesh(),
-            material: elastic.materials().first()?.as_ref(),
             sheet: &own.sheet,
             plies: PlyStresses::new(&own.sheet),
             across: own.across,
@@ -133,42 +130,12 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Mean stress at every node: of a series, or recovered from patches, and on reported edges from the edge's own strain.
+    /// Mean stress at every node.
     fn stresses(&self, recovered: &Recovered, edges: &[EdgeResults]) -> Result<Sites, StressError> {
         let loads = &self.model.request.loads;
         let heating = loads.heating(self.index, &recovered.multipliers);
-        let known = &recovered.stress[self.index];
-        let mut stress = if known.is_empty() {
-            self.patches(&recovered.displacement[self.index], heating)?
-        } else {
-            known.clone()
-        };
-        for (edge, results) in self.model.edges.iter().zip(edges) {
-            if edge.geometry.body != self.index {
-                continue;
-            }
-            let places = edge.nodes.iter().zip(&edge.geometry.parameter);
-            for ((&node, &at), row) in places.zip(&results.rows) {
-                stress[node] = match edge.geometry.kind {
-                    EdgeKind::Circle { .. } => {
-                        cartesian([row.sigma_normal, row.sigma_tangential, row.tau], at)
-                    }
-                    EdgeKind::Line | EdgeKind::Path => {
-                        [row.sigma_tangential, row.sigma_normal, row.tau]
-                    }
-                };
-            }
-        }
+        let stress = stresses::at_nodes(self.model, self.index, recovered, edges)?;
         Ok(Sites { stress, heating })
-    }
-
-    /// Stresses at every node, recovered from patches of elements whose nodes are displaced by `displacement`.
-    fn patches(&self, displacement: &[f64], heating: f64) -> Result<Vec<[f64; 3]>, StressError> {
-        let strain = self.material.thermal_strain(heating);
-        let initial = vec![strain; self.mesh.blocks().len()];
-        let materials = vec![self.material; self.mesh.blocks().len()];
-        let field = ElasticField::new(self.mesh, &materials, displacement, Some(&initial))?;
-        Ok(field.patch_recovery().averaged())
     }
 
     /// The places of a half model and, if the plies are not alike there, their mirror images; of a whole one the places.

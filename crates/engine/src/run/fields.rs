@@ -7,9 +7,10 @@ use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::stress::{ElasticField, StressError};
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
+use super::sets;
 use super::solved::{Operator, Solved};
 use crate::model::Model;
-use crate::results::BodyFields;
+use crate::results::{BodyFields, SetMotion};
 use crate::series::{SeriesBody, stress_at};
 
 /// Displacements of one body, in numbers, that are held at once while its balance is audited.
@@ -25,7 +26,7 @@ pub(super) struct Recovered {
     /// Displacements per body, interleaved, without the free rigid motions, which make no strain and beside which those that do
     /// may be rounding; empty for a rigid body, and where they are not kept.
     pub(super) displacement: Vec<Vec<f64>>,
-    /// Stresses (xx, yy, xy) `[MPa]` at the nodes of each body by series whose failure criteria are evaluated; empty for others.
+    /// Stresses (xx, yy, xy) `[MPa]` at the nodes of each body by series whose stresses are asked about in every step; empty for others.
     pub(super) stress: Vec<Vec<[f64; 3]>>,
     /// The displacements at the nodes of each of the model's edges without contact; empty for others.
     pub(super) free_edges: Vec<Vec<[f64; 2]>>,
@@ -35,6 +36,8 @@ pub(super) struct Recovered {
     motions: Vec<Vec<f64>>,
     /// Balance per body; `None` for a rigid one.
     pub(super) balance: Vec<Option<BodyBalance>>,
+    /// Force and displacement of the model's sets; `None` of bodies that are not recovered for an audit.
+    pub(super) sets: Vec<Option<SetMotion>>,
     pub(super) multipliers: Vec<f64>,
     /// What the compliance of each body that has it in blocks leaves out of the displacements of its contact points `[mm]`, 2n; empty for
     /// others.
@@ -44,6 +47,11 @@ pub(super) struct Recovered {
 }
 
 impl Recovered {
+    /// Whether stresses of the body `index` are known or follow from its displacements.
+    pub(super) fn has_stresses(&self, index: usize) -> bool {
+        !(self.stress[index].is_empty() && self.displacement[index].is_empty())
+    }
+
     /// The worst unbalanced force or moment of any body.
     pub(super) fn imbalance(&self) -> f64 {
         let bodies = self.balance.iter().flatten();
@@ -73,7 +81,7 @@ impl Recovered {
 
 /// Recovers the displacements of all bodies at the end of every load step, and audits their balance: one pass over each
 /// body's factor and one over its cells, for as many steps together as [`HELD`] allows. What is kept does not grow with long histories:
-/// displacements on edges without contact, and those of bodies that the scene asks for failure.
+/// displacements on edges without contact, and those of bodies whose stresses are asked about in every step.
 pub(super) fn recover(model: &Model, solved: &Solved) -> Vec<Recovered> {
     let elastic = solved.operators.iter().filter_map(Operator::elastic);
     let values: usize = elastic.map(values_of).sum();
@@ -81,7 +89,7 @@ pub(super) fn recover(model: &Model, solved: &Solved) -> Vec<Recovered> {
     let keeps_all = steps <= TOGETHER || values * steps <= KEPT;
     let all: Vec<usize> = (0..solved.operators.len()).collect();
     pass(model, solved, &all, true, HELD, |body| {
-        keeps_all || model.is_asked_for_failure(body)
+        keeps_all || model.is_asked_for_stresses(body)
     })
 }
 
@@ -119,12 +127,19 @@ fn pass(
             reactions: vec![Vec::new(); model.edges.len()],
             motions: motions(solved, record),
             balance: vec![None; bodies],
+            sets: vec![None; model.sets.len()],
             multipliers: record.state.multipliers.clone(),
             left_out: vec![Vec::new(); bodies],
             dropped: false,
         })
         .collect();
     for &index in wanted {
+        if audits {
+            for (record, step) in records.iter().zip(&mut all) {
+                let own = (index, record);
+                sets::of_rigid(model, solved, own, &step.motions[index], &mut step.sets);
+            }
+        }
         if let Some(body) = solved.operators.get(index).and_then(Operator::series) {
             recover_series(model, solved, (index, body), audits, &mut all);
         }
@@ -139,9 +154,20 @@ fn pass(
             if audits || model.edges.iter().any(|edge| edge.is_held_on(index)) {
                 let residuals = body.residual_forces_of(&displacements, &states);
                 let balances = body.balances_of(&residuals, &states);
-                for ((step, balance), residual) in steps.iter_mut().zip(balances).zip(residuals) {
+                for ((step, balance), residual) in steps.iter_mut().zip(balances).zip(&residuals) {
                     step.balance[index] = audits.then_some(balance);
-                    step.add_reactions(model, index, &residual);
+                    step.add_reactions(model, index, residual);
+                }
+                if audits && model.sets.iter().any(|own| own.set.body == index) {
+                    let found = displacements.iter().zip(&residuals).zip(&states);
+                    for ((record, step), ((u, residual), state)) in
+                        records.iter().zip(steps.iter_mut()).zip(found)
+                    {
+                        let motions = &step.motions[index];
+                        let own = (index, body, motions.as_slice());
+                        let found = [u.as_slice(), residual];
+                        sets::of_elastic(model, own, (record, state), found, &mut step.sets);
+                    }
                 }
             }
             if body.blocks().is_some() {
@@ -176,7 +202,7 @@ fn left_out(body: &CondensedBody, u: &[f64], state: &BodyLoad<'_>) -> Vec<f64> {
     recovered.zip(seen.iter()).map(|(a, b)| a - b).collect()
 }
 
-/// Recovers of a body by series what no field needs: its balance, and its stresses where its failure is asked about.
+/// Recovers of a body by series what no field needs: its balance, and its stresses where they are asked about.
 fn recover_series(
     model: &Model,
     solved: &Solved,
@@ -188,7 +214,11 @@ fn recover_series(
         let forces = solved.forces_on_body(record, index);
         step.balance[index] = audits.then(|| body.balance(&forces, record));
         step.dropped = true;
-        if model.is_asked_for_failure(index)
+        if audits {
+            let own = (index, body, step.motions[index].as_slice());
+            sets::of_series(model, own, (record, &forces), &mut step.sets);
+        }
+        if model.is_asked_for_stresses(index)
             && let Some(own) = model.bodies[index].elastic()
         {
             step.stress[index] = stresses(body, record, &forces, own.mesh().nodes());
@@ -198,16 +228,10 @@ fn recover_series(
 
 /// Displacements of a body by series at `places`, without its rigid motions, x and y of each in turn.
 fn strained(body: &SeriesBody, record: &StepRecord, forces: &[f64], places: &[Point]) -> Vec<f64> {
-    let still = vec![0.0; body.interface().modes().ncols()];
-    let state = BodyLoad {
-        forces,
-        multipliers: &record.state.multipliers,
-        motions: &still,
-    };
-    // The numbers are those of the body's own operator, and the places those of its mesh.
-    let Ok(field) = body.field(&state) else {
+    let Some(field) = body.strained(record, forces) else {
         return Vec::new();
     };
+    // The places are those of the body's mesh.
     let at = |&place: &Point| field.displacement(place).unwrap_or_default();
     places.iter().flat_map(at).collect()
 }
@@ -291,13 +315,7 @@ fn stresses(
     forces: &[f64],
     places: &[Point],
 ) -> Vec<[f64; 3]> {
-    let still = vec![0.0; body.interface().modes().ncols()];
-    let state = BodyLoad {
-        forces,
-        multipliers: &record.state.multipliers,
-        motions: &still,
-    };
-    let Ok(field) = body.field(&state) else {
+    let Some(field) = body.strained(record, forces) else {
         return Vec::new();
     };
     let at = |&place: &Point| stress_at(&field, body, place);

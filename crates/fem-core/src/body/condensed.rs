@@ -348,6 +348,12 @@ impl CondensedBody {
         held
     }
 
+    /// Resultant reaction `[force]` of the section that is held, in `state`; zero without one.
+    pub fn section_reaction(&self, state: &BodyLoad<'_>) -> [f64; 2] {
+        let forces = self.section_forces(state);
+        [0, 1].map(|axis| forces.iter().skip(axis).step_by(2).sum())
+    }
+
     /// Nodal forces `[force]`, interleaved, of load cases and interface; without those of initial strains, which balance
     /// themselves.
     fn applied_forces(&self, state: &BodyLoad<'_>) -> Vec<f64> {

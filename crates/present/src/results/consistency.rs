@@ -63,6 +63,9 @@ fn of_step(results: &Results, number: usize, step: &StepResults) -> Result<(), O
     })?;
     let loads = results.steps[0].loads.len();
     same(step.loads.len(), loads, || format!("step {number}: loads"))?;
+    same(step.sets.len(), results.sets.len(), || {
+        format!("step {number}: sets")
+    })?;
     for (edge, geometry) in step.edges.iter().zip(&results.edges) {
         same(edge.rows.len(), geometry.parameter.len(), || {
             format!("step {number}, edge '{}': rows", geometry.name)

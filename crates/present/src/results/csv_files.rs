@@ -6,7 +6,7 @@ use stickslip_report::table::Columns;
 use super::display::EdgeView;
 use super::names::{FileNames, step_name};
 use super::quantities::csv_columns;
-use super::{FileNote, OutputError, failure};
+use super::{FileNote, OutputError, failure, sets};
 use crate::PutFile;
 use crate::csv::{self, number};
 use stickslip_engine::results::{EdgeKind, EdgeRow, Results, RowErrors, Stated, StepResults};
@@ -135,9 +135,11 @@ fn steps(results: &Results) -> Vec<u8> {
             edge_quantities(edge, &format!("{}: ", edge.geometry.name))
         }
     });
-    let columns = columns
-        .and(edges)
-        .and([reserve_factors(results), work_quantities(results)]);
+    let columns = columns.and(edges).and([
+        sets::csv_columns(results),
+        reserve_factors(results),
+        work_quantities(results),
+    ]);
     csv::columns(&columns, 0..results.steps.len())
 }
 

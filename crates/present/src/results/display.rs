@@ -43,6 +43,11 @@ impl<'a> EdgeView<'a> {
         self.index == other.index && std::ptr::eq(self.results, other.results)
     }
 
+    /// Its index in the results.
+    pub(super) fn index(&self) -> usize {
+        self.index
+    }
+
     pub(super) fn results(&self) -> &'a Results {
         self.results
     }

@@ -1,10 +1,12 @@
 //! Figures of a run, each with a caption that says what one sees in numbers.
 
+mod deformed;
 pub(super) mod edge;
 mod families;
 pub(super) mod fields;
 mod history;
 mod map;
+pub(super) mod sides;
 pub(super) mod sketch;
 
 use stickslip_contact::Status;
@@ -77,6 +79,7 @@ pub(super) fn draw(results: &Results) -> Result<(Vec<Drawing>, Vec<String>), Out
     let mut plans: Vec<Plan<'_>> = sketch::all(results);
     plans.extend(edges.iter().flat_map(of_edge));
     plans.extend(failing.iter().flat_map(of_failure));
+    plans.extend(deformed::all(results));
     plans.extend(fields::all(results));
     let drawn = parallel::map(&plans, |plan| {
         let made = (plan.draw)()?;
@@ -125,6 +128,9 @@ fn of_edge<'a>(view: &'a EdgeView<'_>) -> Vec<Plan<'a>> {
         plans.push(plan(Group::Edge, "shear", families::shear));
     }
     plans.push(plan(Group::Edge, "hoop", families::hoop));
+    if view.geometry.second.is_some() {
+        plans.push(plan(Group::Edge, "sides", sides::chart));
+    }
     if view.geometry.contact {
         plans.push(plan(Group::History, "map", map::chart));
         plans.push(plan(Group::History, "extent", history::extent_and_peak));

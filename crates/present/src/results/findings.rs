@@ -6,11 +6,11 @@ mod joint;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use stickslip_engine::results::{
-    CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers, Results,
-    SolverDependence, StatusCycle, UniquenessBound,
+    CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers, Quantity, Results,
+    SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 use stickslip_scene::schema::DisplayUnits;
-use stickslip_text::tidy;
+use stickslip_text::{short, tidy};
 
 pub use joint::joint_sentence;
 
@@ -96,6 +96,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              Raise the loads until a reserve factor falls to 1.",
             quoted(contacts)
         ),
+        Finding::Yields(found) => yields(found, units),
         Finding::Contact { contact, finding } => contact::sentence(contact, finding, units),
     }
 }
@@ -121,6 +122,26 @@ fn accuracy_missed(number: &str, error: f64, end: &str) -> String {
     format!(
         "The accuracy asked for is not reached: the error of the {number} is {:.2} %, and {why}. All errors are stated.",
         100.0 * error
+    )
+}
+
+fn yields(found: &Yield, units: DisplayUnits) -> String {
+    let stress = |quantity: Quantity| {
+        let unit = units.stress;
+        format!("{} {}", short(unit.from_base(quantity.value())), unit.name)
+    };
+    let [x, y] = found.at.map(|at| {
+        let unit = units.length;
+        format!("{} {}", short(unit.from_base(at.value())), unit.name)
+    });
+    format!(
+        "Body '{}' yields: in load step {} its von Mises stress of {} exceeds the yield stress of {} at x = {x}, y = {y}; it does so in load step {}. All \
+         results are those of an elastic body.",
+        found.body,
+        found.step,
+        stress(found.von_mises),
+        stress(found.yield_stress),
+        numbers(&found.steps)
     )
 }
 
@@ -334,6 +355,10 @@ fn displayed(value: Value, units: DisplayUnits) -> Value {
                     units.length.name,
                 ),
                 Some("rad") => (number.map(f64::to_degrees), "deg"),
+                Some("MPa") => (
+                    number.map(|stress| units.stress.from_base(stress)),
+                    units.stress.name,
+                ),
                 _ => {
                     let fields = fields.into_iter();
                     let fields = fields.map(|(key, value)| (key, displayed(value, units)));

@@ -8,11 +8,13 @@ use super::FileNote;
 use super::display::EdgeView;
 use super::display::shared;
 use super::failure::{self, FailureView};
-use super::figures::{Drawing, Group};
+use super::figures::{Drawing, Group, sides};
 use super::findings;
 use super::problem;
 use super::progressive::{self, ProgressiveView};
+use super::sets;
 use super::sharing;
+use super::stresses;
 use super::tables::{self, Detail};
 use super::zones::{contact_ranges, stick_ranges};
 use stickslip_engine::LoadScale;
@@ -283,7 +285,15 @@ fn steps_section(results: &Results) -> Result<Section, PageError> {
             tables::stress_table(&edge, one_load)
         });
     }
-    section = (sharing::tables(results).into_iter()).fold(section, Section::with);
+    let sides = EdgeView::all(results);
+    let sides = sides.iter().filter_map(sides::table);
+    section = sides.fold(section, Section::with);
+    let stresses = stresses::table(results).map(|table| table.note(stresses::NOTE));
+    let further = sharing::tables(results)
+        .into_iter()
+        .chain(sets::tables(results));
+    let further = further.chain(sets::reactions(results)).chain(stresses);
+    section = further.fold(section, Section::with);
     if results.steps.len() > 1 {
         let text = single_steps(results).map(Block::Text);
         section = text.into_iter().fold(section, Section::with);

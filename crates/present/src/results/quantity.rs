@@ -26,3 +26,22 @@ impl Quantity {
         Self::new(unit.from_base(value), unit.name)
     }
 }
+
+/// A place or a force.
+#[derive(Debug, Serialize)]
+pub(crate) struct Vector {
+    x: Option<f64>,
+    y: Option<f64>,
+    unit: &'static str,
+}
+
+impl Vector {
+    /// A vector of base units in `unit`.
+    pub(crate) fn of(unit: &Unit, [x, y]: [f64; 2]) -> Self {
+        Self {
+            x: tidy(unit.from_base(x)),
+            y: tidy(unit.from_base(y)),
+            unit: unit.name,
+        }
+    }
+}

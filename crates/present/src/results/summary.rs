@@ -11,12 +11,14 @@ use super::display::{EdgeView, energy, energy_unit};
 use super::failure::{self, FailureView};
 use super::findings;
 use super::quantities::SummaryQuantities;
-use super::quantity::Quantity;
+use super::quantity::{Quantity, Vector};
+use super::sets;
+use super::stresses;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};
 use keys::{
     Asked, Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load,
     OtherAnswer, OwnEdgeStep, Program, SlipZone, SolverNotes, Sought, Step, Summary, Tried, Units,
-    Vector, Zones,
+    Zones,
 };
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{
@@ -57,7 +59,11 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
         choices: results.choices.iter().map(choice).collect(),
         notes: findings::sentences(results),
         findings: findings::entries(&results.findings, results.units),
-        bodies: results.bodies.iter().map(body).collect(),
+        bodies: results
+            .bodies
+            .iter()
+            .map(|own| body(own, results.units))
+            .collect(),
         dofs: results.bodies.iter().map(|body| body.dofs).sum(),
         factorisations: results.factorisations,
         wall_time_s,
@@ -120,7 +126,7 @@ fn named_load(load: &LoadValue) -> Load<'_> {
     }
 }
 
-fn body(body: &stickslip_engine::results::BodySummary) -> Body<'_> {
+fn body(body: &stickslip_engine::results::BodySummary, units: DisplayUnits) -> Body<'_> {
     Body {
         name: &body.name,
         rigid: body.mesh.is_none(),
@@ -129,6 +135,7 @@ fn body(body: &stickslip_engine::results::BodySummary) -> Body<'_> {
         dofs: body.dofs,
         factor_entries: body.factor_entries,
         free_motions: body.free_motions,
+        yield_stress: (body.yield_stress).map(|stress| Quantity::of(units.stress, stress)),
     }
 }
 
@@ -204,6 +211,8 @@ fn step_entry<'a>(
             .iter()
             .map(|edge| (edge.view.geometry.name.as_str(), own_step(edge, index)))
             .collect(),
+        sets: sets::entries(results, index),
+        stresses: stresses::entries(results, index),
         iterations: step.work.solves,
         pivots: step.work.pivots,
         solvers: &step.solvers,

@@ -14,7 +14,9 @@ use super::display::{EdgeView, even};
 use super::failure::{self, FailureView};
 use super::progressive::{self, ProgressiveView};
 use super::quantities::table_columns;
+use super::sets;
 use super::sharing;
+use super::stresses;
 use super::zones::{contact_reach, stick_ranges};
 use fit::fitted;
 use stickslip_engine::LoadScale;
@@ -36,7 +38,13 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
     for edge in contacts {
         text += &fitted(contact_table(edge, one_load, Detail::Brief), width);
     }
-    for table in sharing::tables(results) {
+    for table in sharing::tables(results)
+        .into_iter()
+        .chain(sets::tables(results))
+    {
+        text += &fitted(table, width);
+    }
+    if let Some(table) = stresses::table(results) {
         text += &fitted(table, width);
     }
     if let Some(ladder) = ladder(results) {

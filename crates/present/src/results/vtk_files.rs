@@ -11,7 +11,7 @@ use stickslip_fem_core::vtk::{Field, PvdEntry, write_pvd, write_vtu};
 use super::failure::plain_name;
 use super::names::{FileNames, step_name};
 use super::{File, FileNote, OutputError};
-use stickslip_engine::results::{BodyFields, EdgeKind, Results};
+use stickslip_engine::results::{BodyFields, EdgeKind, Results, von_mises};
 
 /// All VTU files and their collection; nothing if no step has fields.
 pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), OutputError> {
@@ -203,27 +203,4 @@ pub(super) fn polar_centre(results: &Results) -> Option<Point> {
 pub(super) fn von_mises_stresses(fields: &BodyFields) -> Vec<f64> {
     let nodes = fields.stress.iter().zip(&fields.thickness_stress);
     nodes.map(|(&stress, &zz)| von_mises(stress, zz)).collect()
-}
-
-/// √(½ [(σ_xx − σ_yy)² + (σ_yy − σ_zz)² + (σ_zz − σ_xx)²] + 3 τ_xy²): von Mises (1913) with τ_xz = τ_yz = 0.
-fn von_mises([xx, yy, xy]: [f64; 3], zz: f64) -> f64 {
-    let differences = [xx - yy, yy - zz, zz - xx];
-    let normal: f64 = differences.iter().map(|d| d * d).sum();
-    (0.5 * normal + 3.0 * xy * xy).sqrt()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::von_mises;
-
-    #[test]
-    fn von_mises_of_tension_shear_and_pressure() {
-        assert_eq!(von_mises([100.0, 0.0, 0.0], 0.0), 100.0);
-        // Pure shear yields at 1/√3 of the tension; two roundings.
-        assert!((von_mises([0.0, 0.0, 1.0], 0.0) - 3_f64.sqrt()).abs() < 1e-15);
-        assert_eq!(von_mises([-7.0, -7.0, 0.0], -7.0), 0.0);
-        // Uniaxial tension 100 in plane strain, ν = 0.3: 100 √(1 − ν + ν²) = 88.88.
-        let held = von_mises([100.0, 0.0, 0.0], 30.0);
-        assert!((held - 100.0 * 0.79_f64.sqrt()).abs() < 1e-12);
-    }
 }

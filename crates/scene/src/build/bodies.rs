@@ -26,11 +26,13 @@ fn isotropic(given: &IsotropicFormat) -> Material {
         young,
         poisson,
         expansion: by_heat,
+        yield_stress,
     } = given;
     Material::Isotropic {
         young: young.value(),
         poisson: *poisson,
         expansion: expansion(by_heat.as_ref()),
+        yield_stress: yield_stress.as_ref().map(Quantity::value),
     }
 }
 

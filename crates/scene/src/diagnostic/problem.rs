@@ -5,7 +5,7 @@ use stickslip_fem_core::material::MaterialError;
 use thiserror::Error;
 
 use super::laminate::LaminateProblem;
-use super::remedy::{coded, counted, listed, material_remedy, meant, on_lines};
+use super::remedy::{coded, counted, elsewhere, listed, material_remedy, meant, on_lines};
 use crate::units::UnitError;
 
 /// One thing wrong with a scene. Every variant carries the numbers and names that its message and remedy show.
@@ -133,7 +133,7 @@ pub enum SceneProblem {
     },
     /// A key that means nothing here.
     #[error("unknown key '{key}'")]
-    #[diagnostic(code(scene::unknown_key), help("{}known keys here: {}", meant(nearest.as_deref()), known.join(", ")))]
+    #[diagnostic(code(scene::unknown_key), help("{}{}known keys here: {}", meant(nearest.as_deref()), elsewhere(key), known.join(", ")))]
     UnknownKey {
         /// The key.
         key: String,

@@ -6,6 +6,17 @@ pub(super) fn meant(nearest: Option<&str>) -> String {
     nearest.map_or_else(String::new, |name| format!("did you mean '{name}'? "))
 }
 
+/// Where the meaning of a key is given that stands in the wrong table.
+pub(super) fn elsewhere(key: &str) -> &'static str {
+    match key {
+        "yield" => {
+            "a yield stress belongs to isotropic materials (`[materials.NAME.isotropic]`); a laminate fails by ply, so give strengths in \
+                    `[plies.NAME.strengths]` and ask for `[failure]`; "
+        }
+        _ => "",
+    }
+}
+
 pub(super) fn on_lines(lines: Option<(usize, usize)>) -> String {
     match lines {
         Some((first, second)) if first == second => format!(", both on line {first}"),

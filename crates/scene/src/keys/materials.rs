@@ -43,6 +43,8 @@ pub(super) const TABLES: &[Table] = &[
         stress("young", REQUIRED, r#""70 GPa""#, "Young's modulus E").range(POSITIVE),
         number("poisson", REQUIRED, "0.3", "Poisson's ratio ν, −1 < ν ≤ 0.5, in plane strain < 0.5"),
         expansion("expansion", "0", r#""2.3e-5 1/K""#, "coefficient of thermal expansion"),
+        stress("yield", "not known", r#""350 MPa""#,
+            "von Mises stress at which it yields: results say where and in which step a body reaches it, and stay elastic beyond").range(POSITIVE),
     ]),
     Table::new("materials.NAME.orthotropic", &[
         stress("e1", REQUIRED, r#""140 GPa""#, "E1").range(POSITIVE),

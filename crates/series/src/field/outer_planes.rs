@@ -7,6 +7,7 @@ use nalgebra::Complex;
 
 use crate::arnoldi::{Basis, sum};
 use crate::lekhnitskii::Planes;
+use crate::outline::corner_log;
 
 type C64 = Complex<f64>;
 
@@ -42,7 +43,7 @@ impl OuterPlanes {
     pub(super) fn phi(&self, plane: usize, place: C64) -> C64 {
         let w = self.planes.at(plane, place);
         let corners = self.corners[plane].iter();
-        let of_corners = corners.map(|(corner, amount)| amount * (1.0 - w / corner).ln());
+        let of_corners = corners.map(|(corner, amount)| amount * corner_log(*corner, w));
         sum(&self.coefficients[plane], &self.bases[plane].values(w)) + of_corners.sum::<C64>()
     }
 
@@ -72,7 +73,7 @@ impl OuterPlanes {
         let mut phi = sum(&self.coefficients[plane], &values);
         let mut integral = sum(coefficients, &values);
         for (corner, amount) in &self.corners[plane] {
-            let log = (1.0 - w / corner).ln();
+            let log = corner_log(*corner, w);
             phi += amount * log;
             // ∫ ln(1 − w/c) = −(c − w) ln(1 − w/c) − w.
             integral += amount * (-(corner - w) * log - w);

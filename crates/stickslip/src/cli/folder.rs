@@ -77,8 +77,10 @@ fn of_a_run(name: &str) -> bool {
         "load-displacement-",
         "damage-",
     ];
-    const FIGURES: [&str; 16] = [
+    const FIGURES: [&str; 18] = [
         "sketch.",
+        "sides-",
+        "deformed-",
         "stresses-",
         "pressure-",
         "shear-",
@@ -131,8 +133,17 @@ fn of_an_experiment(name: &str) -> bool {
 
 /// Which files a sweep of such a version consists of.
 pub(super) fn of_a_sweep(name: &str) -> bool {
+    const FIGURES: [&str; 7] = [
+        "modes",
+        "loads",
+        "pressure-over-",
+        "hoop-over-",
+        "extent-over-",
+        "stick-over-",
+        "share-over-",
+    ];
     ["sweep.json", "cases.csv", "report.html", "summary.json"].contains(&name)
-        || is_one_of(name, "figures/", &["modes", "loads"], &[".svg", ".png"])
+        || is_one_of(name, "figures/", &FIGURES, &[".svg", ".png"])
 }
 
 /// Whether `name` is a file in `folder`, not deeper, that starts and ends with one of the given texts.

@@ -287,7 +287,7 @@ fn needed(model: &Model) -> Vec<usize> {
         free.any(|edge| edge.geometry.body == index)
     };
     let all = 0..model.bodies.len();
-    all.filter(|&index| model.is_asked_for_failure(index) || shows(index))
+    all.filter(|&index| model.is_asked_for_stresses(index) || shows(index))
         .collect()
 }
 

@@ -1,6 +1,8 @@
-//! Pictures of a sweep: maps of failure modes over two axes, and curves of failure loads.
+//! Pictures of a sweep: maps of failure modes over two axes and curves of failure loads; without failure criteria curves of the contact over every axis.
 //!
 //! A sweep of more than two axes has one picture for every combination of the others, up to a dozen.
+
+mod curves;
 
 use stickslip_report::FigureError;
 use stickslip_report::axis::Axis as FigureAxis;
@@ -64,6 +66,14 @@ pub fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Drawing>, Vec<String>) {
             }
         }
     }
+    let (further, about) = curves::draw(sweep, rows);
+    let drawing = |(name, (picture, caption))| Drawing {
+        name,
+        picture,
+        caption,
+    };
+    drawings.extend(further.into_iter().map(drawing));
+    remarks.extend(about);
     (drawings, remarks)
 }
 

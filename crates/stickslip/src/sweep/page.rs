@@ -124,7 +124,11 @@ fn capitalised(words: &str) -> String {
 fn notes(sweep: &Sweep) -> Prose {
     Prose::new(
         include_str!("page/notes.jinja"),
-        context! { scene => &sweep.scene.title, source => &sweep.scene.source_name },
+        context! {
+            scene => &sweep.scene.title,
+            source => &sweep.scene.source_name,
+            fails => sweep.scene.failure.is_some(),
+        },
     )
 }
 
@@ -145,9 +149,14 @@ fn cases(sweep: &Sweep, rows: &[Row]) -> Table {
     let axes = sweep.axes.iter();
     let axes = axes.map(|axis| Column::new(axis.symbol(), unit(axis)));
     let (load, stress) = (sweep.load_unit.as_str(), sweep.scene.display.stress.name);
+    let fails = sweep.scene.failure.is_some();
+    let failures = if fails {
+        format!(" | first ply [{load}] | ply | criterion: mode | joint [{load}] | mode | at [deg]")
+    } else {
+        String::new()
+    };
     let headings = format!(
-        "peak pressure [{stress}] | contact ± [deg] | peak hoop [{stress}] | at [deg] | first ply [{load}] | ply | criterion: mode | \
-         joint [{load}] | mode | at [deg]"
+        "peak pressure [{stress}] | contact ± [deg] | stick ± [deg] | peak hoop [{stress}] | at [deg] | bearing stress [{stress}] | load share{failures}"
     );
     let mut table = Table::headed("", &headings);
     table.columns.splice(0..0, axes);
@@ -156,8 +165,13 @@ fn cases(sweep: &Sweep, rows: &[Row]) -> Table {
     for row in sorted.iter().take(MOST_ROWS) {
         let values = sweep.axes.iter().zip(sweep.values_of(row.case));
         let values = values.map(|(axis, value)| axis.cell(value));
-        let measures = row.measures().into_iter().flat_map(case_cells);
-        table.push(values.chain(measures));
+        let measures = row.measures();
+        let contact = measures.into_iter().flat_map(contact_cells);
+        let failures = measures
+            .filter(|_| fails)
+            .into_iter()
+            .flat_map(failure_cells);
+        table.push(values.chain(contact).chain(failures));
     }
     if sorted.len() <= MOST_ROWS {
         return table;
@@ -168,23 +182,32 @@ fn cases(sweep: &Sweep, rows: &[Row]) -> Table {
     ))
 }
 
-fn case_cells(measures: &Measures) -> [String; 10] {
-    let number = |value: Option<f64>| value.map_or_else(String::new, short);
-    let stated = |value: Option<f64>, error: Option<f64>| match value.zip(error) {
+/// A number, with its error where it has one.
+fn stated(value: Option<f64>, error: Option<f64>) -> String {
+    match value.zip(error) {
         Some((value, error)) => format!("{} ± {}", significant(value, 5), significant(error, 2)),
-        None => number(value),
-    };
+        None => value.map_or_else(String::new, short),
+    }
+}
+
+fn contact_cells(measures: &Measures) -> [String; 7] {
     let errors = measures.errors;
-    let first = measures.first_ply.as_ref();
-    let joint = measures.joint.as_ref();
+    let [hoop, place] = [0, 1].map(|k| measures.peak_hoop.map(|own| own[k]));
     [
         stated(measures.peak_pressure, errors.peak_pressure),
         stated(measures.contact_half_angle, errors.contact_half_angle),
-        stated(measures.peak_hoop.map(|[most, _]| most), errors.peak_hoop),
-        stated(
-            measures.peak_hoop.map(|[_, place]| place),
-            errors.peak_hoop_angle,
-        ),
+        stated(measures.stick_half_angle, errors.stick_half_angle),
+        stated(hoop, errors.peak_hoop),
+        stated(place, errors.peak_hoop_angle),
+        stated(measures.bearing_stress, errors.bearing_stress),
+        stated(measures.load_share, errors.load_share),
+    ]
+}
+
+fn failure_cells(measures: &Measures) -> [String; 6] {
+    let first = measures.first_ply.as_ref();
+    let joint = measures.joint.as_ref();
+    [
         stated(
             first.and_then(|first| first.load),
             first.and_then(|first| first.load_error),
@@ -198,7 +221,7 @@ fn case_cells(measures: &Measures) -> [String; 10] {
             joint.and_then(|joint| joint.load_error),
         ),
         joint.map_or_else(String::new, |joint| joint.mode.name().to_owned()),
-        number(joint.map(|joint| joint.angle)),
+        stated(joint.map(|joint| joint.angle), None),
     ]
 }
 

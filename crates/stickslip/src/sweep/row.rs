@@ -53,6 +53,12 @@ pub struct Measures {
     pub contact_half_angle: Option<f64>,
     /// Largest hoop stress on the hole, and its place `[degree]`.
     pub peak_hoop: Option<[f64; 2]>,
+    /// Half of the angle of the stick zone around the bearing point `[degree]`.
+    pub stick_half_angle: Option<f64>,
+    /// Bearing stress |F| / (D t) of the contact force F.
+    pub bearing_stress: Option<f64>,
+    /// Part of the contact in the load of its first body, where several act on that.
+    pub load_share: Option<f64>,
     /// Estimated errors of these, where the case states any.
     pub errors: MeasureErrors,
     /// The first ply to fail by any criterion.
@@ -74,6 +80,12 @@ pub struct MeasureErrors {
     pub peak_hoop: Option<f64>,
     /// Of its place `[degree]`.
     pub peak_hoop_angle: Option<f64>,
+    /// Of half of the angle of the stick zone `[degree]`.
+    pub stick_half_angle: Option<f64>,
+    /// Of the bearing stress.
+    pub bearing_stress: Option<f64>,
+    /// Of the part in the load.
+    pub load_share: Option<f64>,
 }
 
 /// The first ply to fail.
@@ -135,6 +147,10 @@ impl Measures {
             .steps
             .get(step)
             .and_then(|step| step.edges.get(sweep.contact));
+        let bearing = edge
+            .zip(geometry)
+            .and_then(|(edge, geometry)| edge.bearing_stress(geometry));
+        let share = results.load_share(sweep.contact, step);
         let named = |failure: &&BodyFailure| {
             let body = results.bodies.get(failure.body);
             body.is_some_and(|body| body.name == sweep.plate)
@@ -150,13 +166,21 @@ impl Measures {
             peak_hoop: edge
                 .and_then(|edge| edge.peak_hoop)
                 .map(|(most, place)| [stress(most), degrees(seen(place))]),
+            stick_half_angle: edge.and_then(|edge| edge.stick_half_extent).map(degrees),
+            bearing_stress: bearing.map(stress),
+            load_share: share.map(|share| tidy(share.part)),
             errors: edge.map_or_else(MeasureErrors::default, |edge| {
                 let error = |stated| edge.errors.get(stated);
+                let area = geometry.and_then(|geometry| geometry.bearing_area);
                 MeasureErrors {
                     peak_pressure: error(Stated::PeakPressure).map(stress),
                     contact_half_angle: error(Stated::ContactExtent).map(degrees),
                     peak_hoop: error(Stated::PeakHoop).map(stress),
                     peak_hoop_angle: error(Stated::PeakHoopPlace).map(degrees),
+                    stick_half_angle: error(Stated::StickExtent).map(degrees),
+                    bearing_stress: (edge.resultant_error().zip(area))
+                        .map(|(error, area)| stress(error / area)),
+                    load_share: share.and_then(|share| share.error).map(tidy),
                 }
             }),
             first_ply: failure.and_then(|failure| first_ply(failure, &value)),

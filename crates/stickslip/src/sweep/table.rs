@@ -7,7 +7,8 @@
 //! | `load` | largest load of the history; contact and hoop stress are those of its step |
 //! | `peak_pressure`, `contact_half_angle` | of the joint's contact |
 //! | `peak_hoop`, `peak_hoop_angle` | largest hoop stress on the hole, and where |
-//! | `peak_pressure_error`, …, `peak_hoop_angle_error`, `first_ply_load_error`, `joint_load_error` | estimated errors, each beside its number, where cases find their own model for an accuracy |
+//! | `stick_half_angle`, `bearing_stress`, `load_share` | of the joint's contact; the share where several contacts act on the plate |
+//! | `peak_pressure_error`, …, `load_share_error`, `first_ply_load_error`, `joint_load_error` | estimated errors, each beside its number, where cases find their own model for an accuracy |
 //! | `first_ply_load`, `first_ply`, `first_ply_criterion`, `first_ply_mode`, `first_ply_angle`, `first_ply_found` | the first ply to fail |
 //! | `joint_load`, `joint_bearing_stress`, `joint_mode`, `joint_angle`, `joint_found` | failure on the characteristic curve |
 //! | `seconds` | time of the case on its core |
@@ -101,7 +102,7 @@ fn contact_columns(sweep: &Sweep) -> Columns<'_, &Row> {
     let stress = sweep.scene.display.stress.name;
     let number = |value: Number| move |row: &Row| shown(row.measures().and_then(value));
     let columns = Columns::new().with("load", &sweep.load_unit, number(|own| own.load));
-    let quantities: [(&str, &str, Number, Number); 4] = [
+    let quantities: [(&str, &str, Number, Number); 7] = [
         (
             "peak_pressure",
             stress,
@@ -125,6 +126,24 @@ fn contact_columns(sweep: &Sweep) -> Columns<'_, &Row> {
             "deg",
             |own| Some(own.peak_hoop?[1]),
             |own| own.errors.peak_hoop_angle,
+        ),
+        (
+            "stick_half_angle",
+            "deg",
+            |own| own.stick_half_angle,
+            |own| own.errors.stick_half_angle,
+        ),
+        (
+            "bearing_stress",
+            stress,
+            |own| own.bearing_stress,
+            |own| own.errors.bearing_stress,
+        ),
+        (
+            "load_share",
+            "-",
+            |own| own.load_share,
+            |own| own.errors.load_share,
         ),
     ];
     quantities

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use super::row::{JointLoad, Row};
+use super::row::{JointLoad, Measures, Row};
 use super::{Sweep, minima};
 use stickslip_engine::results::JointMode;
 use stickslip_text::{counted, short};
@@ -25,7 +25,9 @@ pub fn verdict(sweep: &Sweep, rows: &[Row]) -> String {
         .filter_map(|row| Some((row.case, row.joint()?)))
         .collect();
     let mut sentences = Vec::new();
-    if failed.is_empty() {
+    if sweep.scene.failure.is_none() {
+        sentences.extend(spreads(sweep, rows));
+    } else if failed.is_empty() {
         sentences.push(if sweep.criterion.is_some() {
             "No case has a failure on its characteristic curve.".to_owned()
         } else {
@@ -83,6 +85,36 @@ pub fn warning(rows: &[Row]) -> Option<String> {
 fn kinds(row: &Row) -> &[String] {
     let findings = row.measures().and_then(|own| own.findings.as_deref());
     findings.unwrap_or_default()
+}
+
+/// Between which cases the contact of joints without failure criteria lies.
+fn spreads(sweep: &Sweep, rows: &[Row]) -> Option<String> {
+    let stress = sweep.scene.display.stress.name;
+    let pressure = spread(sweep, rows, stress, |own| own.peak_pressure)?;
+    let hoop = spread(sweep, rows, "σ_b", |own| {
+        Some(own.peak_hoop?[0] / own.bearing_stress?)
+    });
+    let hoop = hoop.map_or_else(String::new, |hoop| {
+        format!(", the largest hoop stress {hoop}")
+    });
+    Some(format!("The largest pressure lies {pressure}{hoop}."))
+}
+
+/// "between 1 MPa (μ = 0) and 2 MPa (μ = 1)".
+fn spread(
+    sweep: &Sweep,
+    rows: &[Row],
+    unit: &str,
+    value: fn(&Measures) -> Option<f64>,
+) -> Option<String> {
+    let known = rows
+        .iter()
+        .filter_map(|row| Some((row.case, value(row.measures()?)?)));
+    let least = known.clone().min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let most = known.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let say =
+        |(case, value): (usize, f64)| format!("{} {unit} ({})", short(value), sweep.name_of(case));
+    Some(format!("between {} and {}", say(least), say(most)))
 }
 
 fn modes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> String {

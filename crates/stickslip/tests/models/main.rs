@@ -4,6 +4,7 @@ mod bearing;
 mod blocks;
 mod chains;
 mod deformed;
+mod displacement;
 mod edges;
 mod frames;
 mod half_plane;
@@ -18,6 +19,7 @@ mod several;
 mod stated;
 mod travel;
 mod unbalanced;
+mod yields;
 
 use std::path::Path;
 

@@ -34,7 +34,9 @@ fn free_bodies(findings: &[Finding]) -> Vec<&FreeBody> {
 fn degrees(place: Quantity) -> f64 {
     match place {
         Quantity::Angle(angle) => (angle.to_degrees() * 10.0).round() / 10.0,
-        Quantity::Length(_) | Quantity::Along(_) => panic!("{place:?} on a circle"),
+        Quantity::Length(_) | Quantity::Along(_) | Quantity::Stress(_) => {
+            panic!("{place:?} on a circle")
+        }
     }
 }
 

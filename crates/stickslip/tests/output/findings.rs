@@ -7,10 +7,13 @@ use serde_json::{Value, json};
 use stickslip::output::{joint_sentence, sentence, summary_json};
 use stickslip::results::{
     ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
-    JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound,
+    JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 
 use super::fixture::results;
+
+/// 1 psi in MPa.
+pub(super) const PSI: f64 = 4.448_221_615_260_5 / (25.4 * 25.4);
 
 /// One of every kind that concerns no contact.
 fn of_the_run() -> Vec<Finding> {
@@ -104,6 +107,14 @@ fn of_the_run() -> Vec<Finding> {
         }),
         Finding::FreeTogether { bodies: names() },
         Finding::ReserveWithInterference { contacts: names() },
+        Finding::Yields(Yield {
+            body: "plate".into(),
+            steps: vec![3, 4],
+            step: 4,
+            von_mises: Quantity::Stress(200.0 * PSI),
+            yield_stress: Quantity::Stress(150.0 * PSI),
+            at: [25.4, 0.0].map(Quantity::Length),
+        }),
     ]
 }
 
@@ -214,6 +225,7 @@ fn sentences_hold_steps_parts_and_display_units() {
         "Whether another solver finds another answer is not known where friction, cut-back or loose contact allow one: load step 2–4, 7 would take more work than comparisons of a history may, 2e9 operations; the other solver did not solve load step 1.",
         "Forces balance to 2.8e-7 of the load only in load step 2–4, 7, where 1e-8 is usual:",
         "Body 'pin' can slide freely: its translation and CSLIP1 on 'a', 'b' and 'c' are not unique.",
+        "Body 'plate' yields: in load step 4 its von Mises stress of 200 psi exceeds the yield stress of 150 psi at x = 1 in, y = 0 in; it does so in load step 3–4.",
         "Contact 'pin': 'plate' is 1 in thick and 'pin' 2 in.",
         "No error is stated for the peak pressure and the peak tangential stress of contact 'pin' in load step 2, 5: friction jumps",
         "Contact 'pin' ends at x = -1 in in load step 2, beyond the fine part of its mesh, which ends at ±0.5 in:",

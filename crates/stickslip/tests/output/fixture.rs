@@ -54,17 +54,20 @@ pub(crate) fn results() -> Results {
                 dofs: 0,
                 factor_entries: 0,
                 free_motions: 0,
+                yield_stress: None,
             },
             BodySummary {
                 name: "plate".into(),
                 dofs: 2 * mesh.nodes().len(),
                 factor_entries: 1234,
                 free_motions: 1,
+                yield_stress: None,
                 mesh: Some(mesh),
             },
         ],
         factorisations: 1,
         edges,
+        sets: Vec::new(),
         parts: Vec::new(),
         steps,
         failure: Vec::new(),
@@ -136,6 +139,7 @@ fn circle() -> EdgeGeometry {
         bearing_area: Some(2.0 * RADIUS * THICKNESS),
         law: "static_dynamic".into(),
         frame: bears_at_zero(),
+        second: None,
     }
 }
 
@@ -159,6 +163,7 @@ fn line(name: &str, contact: bool) -> EdgeGeometry {
         } else {
             ContactFrame::NONE
         },
+        second: None,
     }
 }
 
@@ -186,6 +191,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         ],
         unloading,
         edges: edges.iter().map(|edge| edge_step(edge, index)).collect(),
+        sets: Vec::new(),
         work: Work {
             solves: 3 + index,
             ..Work::default()
@@ -212,6 +218,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         } else {
             Vec::new()
         },
+        stresses: Vec::new(),
         seconds: 0.001,
     }
 }

@@ -2,7 +2,10 @@
 
 use std::fs;
 
+use stickslip::results::{BodyStresses, SecondSide, StressPeak};
+
 use super::files::written;
+use super::findings::PSI;
 use super::fixture::results;
 
 #[test]
@@ -29,6 +32,55 @@ fn the_page_holds_everything_and_escapes_it() {
     }
     for remote in ["http-equiv", "<script", "<link", "src=\"http"] {
         assert!(!page.contains(remote), "{remote}");
+    }
+}
+
+#[test]
+fn bodies_are_shown_whole_with_their_stresses_and_both_sides_of_a_contact() {
+    let mut results = results();
+    results.steps[2].fields = results.steps[3].fields.clone();
+    let mesh = results.bodies[1].mesh.clone().unwrap();
+    let path = mesh.edge_path("hole").unwrap();
+    let angle = |&node: &usize| {
+        let [x, y] = mesh.nodes()[node];
+        y.atan2(x)
+    };
+    results.edges[0].second = Some(SecondSide {
+        body: 1,
+        parameter: path.nodes.iter().map(angle).collect(),
+        normals: (path.nodes.iter().map(angle))
+            .map(|at| [at.cos(), at.sin()])
+            .collect(),
+        nodes: path.nodes,
+    });
+    let peak = |stress: f64| StressPeak {
+        stress: stress * PSI,
+        at: [25.4, 0.0],
+    };
+    results.bodies[1].yield_stress = Some(5000.0 * PSI);
+    results.steps[2].stresses = vec![BodyStresses {
+        body: 1,
+        von_mises: peak(14000.0),
+        largest_principal: peak(13000.0),
+        least_principal: peak(-2000.0),
+    }];
+    let (_place, folder) = written(&results, true);
+    let page = fs::read_to_string(folder.join("report.html")).unwrap();
+    for part in [
+        "Both sides of &#x27;pin&#x27; at",
+        "Deformed shape of",
+        "The whole of &#x27;plate&#x27;",
+        "A red line is the yield stress.",
+        "a window, beyond which the body goes on",
+        "Largest stresses of the bodies",
+        "<td class=\"number\">14000</td>",
+        "<td class=\"number\">−2000</td>",
+        "@page { size: A4;",
+    ] {
+        assert!(page.contains(part), "'{part}' is missing");
+    }
+    for name in ["sides-pin.svg", "deformed-plate-step-03.svg"] {
+        assert!(folder.join("figures").join(name).exists(), "{name}");
     }
 }
 

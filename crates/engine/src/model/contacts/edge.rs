@@ -154,6 +154,7 @@ impl EdgeNodes {
                 bearing_area,
                 law: String::new(),
                 frame: ContactFrame::NONE,
+                second: None,
             },
             nodes: self.nodes,
             local: Vec::new(),

@@ -65,8 +65,8 @@ impl Subject<'_> {
     fn singular_places(&self) -> Vec<Point> {
         let line = ROUNDING * self.smaller_dimension();
         let inner = |place: &Point| self.model.half && place[self.across].abs() <= line;
-        let places = self.model.singular[self.index].iter();
-        let places = places.map(|&node| self.mesh.nodes()[node]);
+        let places = self.model.bodies[self.index].singular.iter();
+        let places = places.map(|place| self.mesh.nodes()[place.node()]);
         places.filter(|place| !inner(place)).collect()
     }
 

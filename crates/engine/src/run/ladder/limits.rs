@@ -73,14 +73,14 @@ fn is_at_support(model: &Model, edge: usize, results: &EdgeResults) -> bool {
     let Some(place) = Stated::PeakHoopPlace.value(results) else {
         return false;
     };
-    let singular = &model.singular[own.geometry.body];
+    let singular = &model.bodies[own.geometry.body].singular;
     let near = own
         .geometry
         .parameter
         .partition_point(|&at| at < place - f64::EPSILON * place.abs());
     let cell = near.saturating_sub(own.order)..=near + own.order;
     let mut nodes = own.nodes.iter().enumerate();
-    nodes.any(|(k, node)| cell.contains(&k) && singular.contains(node))
+    nodes.any(|(k, node)| cell.contains(&k) && singular.iter().any(|place| place.node() == *node))
 }
 
 /// Where slip leads away on both sides.

@@ -140,9 +140,10 @@ mod tests {
         let matrix = DMatrix::from_fn(9, 14, |i, j| {
             (0..8)
                 .map(|k| {
+                    let wave = f64::from(k);
                     1e-3_f64.powi(k)
-                        * ((i + 1) as f64 * (k + 1) as f64).sin()
-                        * ((j * (k + 2)) as f64).cos()
+                        * ((i + 1) as f64 * (wave + 1.0)).sin()
+                        * (j as f64 * (wave + 2.0)).cos()
                 })
                 .sum()
         });

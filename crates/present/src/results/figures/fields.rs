@@ -11,6 +11,7 @@ use super::edge::all_contact;
 use super::{Group, Plan};
 use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
+use crate::results::findings::quoted;
 use crate::results::vtk_files::von_mises_stresses;
 use stickslip_engine::results::{BodyFields, EdgeKind, Results, StepResults};
 use stickslip_text::significant;
@@ -127,8 +128,17 @@ impl<'a> Scene<'a> {
 
     fn plot<'p>(&'p self, title: &str, label: String, values: &'p [f64]) -> FieldPlot<'p> {
         let unit = self.edge.units().length.name;
+        let title = format!("{title} in {}", quoted(self.bodies()));
         let mut plot = FieldPlot::new(title, label, unit, &self.nodes, &self.cells, values)
-            .subtitle(format!("At {}", self.edge.load().step_text(self.step)))
+            .subtitle(format!(
+                "At {}{}",
+                self.edge.load().step_text(self.step),
+                if self.is_cut() {
+                    "; a window of the larger body"
+                } else {
+                    ""
+                }
+            ))
             .window(self.window());
         if self.edge.geometry.half {
             let [x, y] = self.image();
@@ -166,6 +176,20 @@ impl<'a> Scene<'a> {
             centre,
             reach,
         )
+    }
+
+    /// Names of the bodies that are drawn.
+    fn bodies(&self) -> Vec<&'a str> {
+        let bodies = &self.edge.results().bodies;
+        shown(self.edge, self.record())
+            .map(|fields| bodies[fields.body].name.as_str())
+            .collect()
+    }
+
+    /// Whether the window leaves out parts of the bodies.
+    fn is_cut(&self) -> bool {
+        let window = self.window();
+        self.nodes.iter().any(|node| !is_within(window, node))
     }
 
     /// Centre and radius of every circle of the body along which contact is reported `[mm]`.
@@ -226,8 +250,13 @@ impl<'a> Scene<'a> {
             (true, true) => "; y < 0 is the mirror image of the model",
             (true, false) => "; x < 0 is the mirror image of the model",
         };
+        let cut = if self.is_cut() {
+            "; a window, beyond which the body goes on"
+        } else {
+            ""
+        };
         format!(
-            " Shape before deformation{image}. Beyond the ends of the colour bar the colour stays."
+            " Shape before deformation{cut}{image}. Beyond the ends of the colour bar the colour stays."
         )
     }
 }
@@ -253,6 +282,11 @@ fn von_mises(scene: &Scene<'_>) -> Attempt {
     if largest > 0.0 {
         plot = plot.between(0.0, largest);
     }
+    let bodies = &scene.edge.results().bodies;
+    let limit = bodies[scene.edge.geometry.body].yield_stress;
+    if let Some(limit) = limit {
+        plot = plot.contour(scene.edge.stress(limit));
+    }
     let thick = shown(scene.edge, scene.record())
         .flat_map(|fields| &fields.thickness_stress)
         .any(|&stress| stress != 0.0);
@@ -267,7 +301,19 @@ fn von_mises(scene: &Scene<'_>) -> Attempt {
         scene.edge.body(),
         significant(largest, 4),
     );
-    Ok(Some((plot.render()?, text + &scene.remark())))
+    let beyond = limit.map_or_else(String::new, |limit| {
+        let limit = scene.edge.stress(limit);
+        let yields = if largest > limit {
+            "The red line is"
+        } else {
+            "It stays below"
+        };
+        format!(
+            " {yields} the yield stress of {} {unit}.",
+            significant(limit, 4)
+        )
+    });
+    Ok(Some((plot.render()?, text + &beyond + &scene.remark())))
 }
 
 fn normal_stress(scene: &Scene<'_>) -> Attempt {

@@ -129,14 +129,14 @@ fn wanders(
 ) -> String {
     let measured = match places[1] {
         Quantity::Angle(_) => "Angles φ are counted from the latter",
-        Quantity::Length(_) => "Places x are counted from x = 0",
+        Quantity::Length(_) | Quantity::Stress(_) => "Places x are counted from x = 0",
         Quantity::Along(_) => "Places s are counted from the middle of the edge",
     };
     let [at, largest_at] = places.map(|place| {
         let text = format!("{} = {}", symbol(place), shown(place, units));
         match place {
             Quantity::Angle(_) => text.replace('-', "−"),
-            Quantity::Length(_) | Quantity::Along(_) => text,
+            Quantity::Length(_) | Quantity::Along(_) | Quantity::Stress(_) => text,
         }
     });
     format!(
@@ -184,6 +184,7 @@ fn shown(quantity: Quantity, units: DisplayUnits) -> String {
     match quantity {
         Quantity::Angle(angle) => format!("{:.1}°", angle.to_degrees()),
         Quantity::Length(length) | Quantity::Along(length) => units.length.show(length),
+        Quantity::Stress(stress) => units.stress.show(stress),
     }
 }
 
@@ -191,7 +192,7 @@ fn shown(quantity: Quantity, units: DisplayUnits) -> String {
 fn symbol(place: Quantity) -> &'static str {
     match place {
         Quantity::Angle(_) => "θ",
-        Quantity::Length(_) => "x",
+        Quantity::Length(_) | Quantity::Stress(_) => "x",
         Quantity::Along(_) => "s",
     }
 }

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use stickslip_scene::units::Unit;
-use stickslip_text::tidy;
 
 use crate::results::failure::summary::Failure;
 use crate::results::findings::Entry;
 use crate::results::quantities::SummaryQuantities;
-use crate::results::quantity::Quantity;
+use crate::results::quantity::{Quantity, Vector};
+use crate::results::sets;
+use crate::results::stresses;
 
 /// Version of the format; a change that could break a reader raises it.
 pub(super) const FORMAT_VERSION: u32 = 2;
@@ -105,6 +105,8 @@ pub(super) struct Body<'a> {
     pub(super) dofs: usize,
     pub(super) factor_entries: usize,
     pub(super) free_motions: usize,
+    #[serde(rename = "yield")]
+    pub(super) yield_stress: Option<Quantity>,
 }
 
 #[derive(Debug, Serialize)]
@@ -125,25 +127,6 @@ pub(super) struct Edge<'a> {
     pub(super) half: bool,
 }
 
-/// A place or a force.
-#[derive(Debug, Serialize)]
-pub(super) struct Vector {
-    x: Option<f64>,
-    y: Option<f64>,
-    unit: &'static str,
-}
-
-impl Vector {
-    /// A vector of base units in `unit`.
-    pub(super) fn of(unit: &Unit, [x, y]: [f64; 2]) -> Self {
-        Self {
-            x: tidy(unit.from_base(x)),
-            y: tidy(unit.from_base(y)),
-            unit: unit.name,
-        }
-    }
-}
-
 #[derive(Debug, Serialize)]
 pub(super) struct Load<'a> {
     pub(super) name: &'a str,
@@ -161,6 +144,10 @@ pub(super) struct Step<'a> {
     #[serde(flatten)]
     pub(super) edge: Option<EdgeStep>,
     pub(super) edges: BTreeMap<&'a str, OwnEdgeStep>,
+    /// What loads act on, and what is held.
+    pub(super) sets: Vec<sets::Entry<'a>>,
+    /// Largest stresses of bodies.
+    pub(super) stresses: Vec<stresses::Entry<'a>>,
     pub(super) iterations: usize,
     pub(super) pivots: usize,
     pub(super) solvers: &'a [&'static str],

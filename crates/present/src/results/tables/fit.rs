@@ -3,8 +3,11 @@
 use stickslip_report::table::Table;
 
 /// What can be left out, first things first; of two columns of one name the last goes first, and the parts of one thing together.
-const DISPENSABLE: [&[&str]; 11] = [
+const DISPENSABLE: [&[&str]; 14] = [
     &["time"],
+    &["at x, y"],
+    &["at x, y"],
+    &["at x, y"],
     &["σ_1", "σ_2", "τ_12"],
     &["solves"],
     &["±"],

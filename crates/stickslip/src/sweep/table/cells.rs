@@ -31,16 +31,23 @@ impl<'a> Cells<'a> {
         let load = self.number()?;
         let mut stated = || self.stated(states_errors);
         let [pressure, extent, hoop, angle] = [stated()?, stated()?, stated()?, stated()?];
+        let [stick, bearing, share] = [stated()?, stated()?, stated()?];
         Ok(Measures {
             load,
             peak_pressure: pressure.0,
             contact_half_angle: extent.0,
             peak_hoop: pair(hoop.0, angle.0),
+            stick_half_angle: stick.0,
+            bearing_stress: bearing.0,
+            load_share: share.0,
             errors: MeasureErrors {
                 peak_pressure: pressure.1,
                 contact_half_angle: extent.1,
                 peak_hoop: hoop.1,
                 peak_hoop_angle: angle.1,
+                stick_half_angle: stick.1,
+                bearing_stress: bearing.1,
+                load_share: share.1,
             },
             ..Measures::default()
         })

@@ -1,0 +1,166 @@
+//! Sets of nodes that loads act on and that supports hold, by which displacements and reactions are reported.
+
+use stickslip_fem_core::load::edge_load;
+use stickslip_fem_core::mesh::MeshError;
+use stickslip_scene::schema::{LoadKind, SetRef};
+
+use super::plan::Plan;
+use super::{ModelBody, ModelBodyKind, ModelError};
+use crate::results::{LoadedSet, SetKind};
+
+/// A set of the model with what its displacement or its reaction needs.
+#[derive(Clone, Debug)]
+pub struct ModelSet {
+    /// What it is.
+    pub set: LoadedSet,
+    /// How its numbers are found.
+    pub measure: Measure,
+}
+
+/// How the force on a set and its displacement are found.
+#[derive(Clone, Debug)]
+pub enum Measure {
+    /// Of a load.
+    Load {
+        /// Index of its load case.
+        case: usize,
+        /// Force of a multiplier of one `[N]`.
+        force: f64,
+        /// Nodes with the weights of their displacements along x and y, whose sum along the load is one.
+        weights: Vec<(usize, [f64; 2])>,
+    },
+    /// Of what holds it: the displacement is given.
+    Held {
+        /// The nodes that are held; `None` for all of a body that is held as a whole: by its area, a rigid one or one by series.
+        nodes: Option<Vec<usize>>,
+        /// What the resultant of their reactions is multiplied with: the direction, of a half model by what the other half takes too.
+        along: [f64; 2],
+        /// `[mm]`
+        displacement: f64,
+    },
+}
+
+/// All sets of `plan`, loads first; polar tractions and temperatures have no direction in which a displacement could be counted.
+pub(super) fn all(
+    plan: &Plan<'_>,
+    bodies: &[ModelBody],
+    half: bool,
+) -> Result<Vec<ModelSet>, ModelError> {
+    let mut sets = Vec::new();
+    for (case, load) in plan.loads.iter().enumerate() {
+        let (on, kind) = match &load.of.kind {
+            LoadKind::Force { on, direction, .. } | LoadKind::Bearing { on, direction, .. } => {
+                let direction = *direction;
+                (on, SetKind::Force { direction })
+            }
+            LoadKind::Pressure { on, .. } => (on, SetKind::Pressure),
+            LoadKind::PolarTraction { .. } | LoadKind::Temperature { .. } => continue,
+        };
+        let body = &bodies[load.body];
+        let mesh_error = |cause| ModelError::Mesh {
+            body: body.name.clone(),
+            cause,
+        };
+        let (force, weights) = weights(body, case, on, kind, half).map_err(mesh_error)?;
+        sets.push(ModelSet {
+            set: LoadedSet {
+                name: load.of.name.clone(),
+                body: load.body,
+                on: on.to_string(),
+                kind,
+            },
+            measure: Measure::Load {
+                case,
+                force,
+                weights,
+            },
+        });
+    }
+    let context = (plan, bodies, half);
+    for support in &plan.supports {
+        let (on, displacement) = (&support.of.on, support.of.displacement);
+        for direction in support.of.hold.directions() {
+            sets.push(held(context, support.body, on, direction, displacement)?);
+        }
+    }
+    for platen in &plan.platens {
+        for direction in platen.of.free.others().directions() {
+            sets.push(held(context, platen.body, &platen.of.on, direction, 0.0)?);
+        }
+    }
+    Ok(sets)
+}
+
+/// Force `[N]` of a unit of the load case `case` on `body`, and the weights of its nodes.
+fn weights(
+    body: &ModelBody,
+    case: usize,
+    on: &SetRef,
+    kind: SetKind,
+    half: bool,
+) -> Result<(f64, Vec<(usize, [f64; 2])>), MeshError> {
+    let ModelBodyKind::Elastic(elastic) = &body.kind else {
+        // A rigid body moves everywhere as at its first point.
+        let SetKind::Force { direction } = kind else {
+            return Ok((1.0, Vec::new()));
+        };
+        return Ok((1.0, vec![(0, direction)]));
+    };
+    let forces = elastic
+        .load_cases()
+        .get(case)
+        .map_or(&[][..], |case| &case.forces);
+    let nodes = forces.chunks_exact(2).map(|own| [own[0], own[1]]);
+    let (force, sum) = match kind {
+        SetKind::Force { direction: [x, y] } | SetKind::Held { direction: [x, y] } => {
+            let along = nodes.clone().map(|own| own[0] * x + own[1] * y);
+            (1.0, along.sum::<f64>())
+        }
+        SetKind::Pressure => {
+            let edges = &elastic.mesh().edge_set(&on.set)?.edges;
+            let own = edge_load(elastic.mesh(), edges, elastic.thickness(), |_| [1.0, 0.0]);
+            let area = own.iter().sum::<f64>();
+            (if half { 2.0 * area } else { area }, area)
+        }
+    };
+    let weights = nodes.enumerate().filter(|(_, own)| *own != [0.0; 2]);
+    let weights = weights.map(|(node, own)| (node, own.map(|part| part / sum)));
+    Ok((force, weights.collect()))
+}
+
+/// The set `on` of the body with the index `body` that something holds along `direction` at `displacement` `[mm]`.
+fn held(
+    (plan, bodies, half): (&Plan<'_>, &[ModelBody], bool),
+    body: usize,
+    on: &SetRef,
+    direction: [f64; 2],
+    displacement: f64,
+) -> Result<ModelSet, ModelError> {
+    let (own, shape) = (&bodies[body], plan.bodies[body].shape);
+    let as_a_whole = own.series.is_some() || shape.is_area(&on.set);
+    let nodes = own.elastic().filter(|_| !as_a_whole).map(|elastic| {
+        let found = elastic.mesh().node_set(&on.set).map(<[usize]>::to_vec);
+        found.map_err(|cause| ModelError::Mesh {
+            body: own.name.clone(),
+            cause,
+        })
+    });
+    let mut along = direction;
+    if let Some(across) = shape.mirror().filter(|_| half) {
+        along[across] = 0.0;
+        along[1 - across] *= 2.0;
+    }
+    Ok(ModelSet {
+        set: LoadedSet {
+            name: on.to_string(),
+            body,
+            on: on.to_string(),
+            kind: SetKind::Held { direction },
+        },
+        measure: Measure::Held {
+            nodes: nodes.transpose()?,
+            along,
+            displacement,
+        },
+    })
+}

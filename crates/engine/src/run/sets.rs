@@ -1,0 +1,163 @@
+//! Displacements of loaded sets and reactions of held ones, from what is recovered of their bodies.
+
+use stickslip_contact::StepRecord;
+use stickslip_fem_core::body::BodyLoad;
+use stickslip_fem_core::{CondensedBody, InterfaceOperator};
+
+use super::solved::{Operator, Solved};
+use crate::model::{Measure, Model, ModelSet};
+use crate::results::{SetKind, SetMotion};
+use crate::series::SeriesBody;
+
+/// What of a body at the end of a load step its sets are found by.
+struct Moved<'a> {
+    /// Index of the body.
+    body: usize,
+    /// Displacement `[mm]` of a node of its mesh with its rigid motion.
+    at: &'a dyn Fn(usize) -> [f64; 2],
+    /// Reaction `[N]` of its supports at a node of its mesh.
+    reaction: &'a dyn Fn(usize) -> [f64; 2],
+    /// Reaction `[N]` of what holds it as a whole.
+    whole: [f64; 2],
+}
+
+impl Moved<'_> {
+    /// Puts the sets of the body into `sets`, those of all sets of `model` at the end of the step of `record`.
+    fn put(&self, model: &Model, record: &StepRecord, sets: &mut [Option<SetMotion>]) {
+        for (own, found) in model.sets.iter().zip(sets) {
+            if own.set.body == self.body {
+                *found = Some(self.motion(record, own));
+            }
+        }
+    }
+
+    fn motion(&self, record: &StepRecord, set: &ModelSet) -> SetMotion {
+        match &set.measure {
+            Measure::Load { weights, .. } => {
+                let along = weights.iter().map(|&(node, weight)| {
+                    let moved = (self.at)(node);
+                    weight[0] * moved[0] + weight[1] * moved[1]
+                });
+                SetMotion {
+                    force: force(set, record),
+                    displacement: along.sum(),
+                }
+            }
+            Measure::Held {
+                nodes,
+                along,
+                displacement,
+            } => {
+                let [x, y] = nodes.as_ref().map_or(self.whole, |nodes| {
+                    nodes.iter().fold([0.0; 2], |[x, y], &node| {
+                        let own = (self.reaction)(node);
+                        [x + own[0], y + own[1]]
+                    })
+                });
+                SetMotion {
+                    force: along[0] * x + along[1] * y,
+                    displacement: *displacement,
+                }
+            }
+        }
+    }
+}
+
+/// Force `[N]` of the load on `set`, zero of what is held.
+fn force(set: &ModelSet, record: &StepRecord) -> f64 {
+    match set.measure {
+        Measure::Load { case, force, .. } => {
+            let multiplier = record.state.multipliers.get(case);
+            force * multiplier.copied().unwrap_or_default()
+        }
+        Measure::Held { .. } => 0.0,
+    }
+}
+
+/// What holds the body `index` as a whole `[N]`, a rigid one or one by series: against the contact `forces` on it and its loads.
+fn whole_reaction(model: &Model, index: usize, record: &StepRecord, forces: &[f64]) -> [f64; 2] {
+    let share = if model.half { 0.5 } else { 1.0 };
+    let own = model.sets.iter().filter(|set| set.set.body == index);
+    let loads = own.fold([0.0; 2], |[x, y], set| match set.set.kind {
+        SetKind::Force { direction } => {
+            let force = share * force(set, record);
+            [x + force * direction[0], y + force * direction[1]]
+        }
+        SetKind::Pressure | SetKind::Held { .. } => [x, y],
+    });
+    let sum = |axis: usize| forces.iter().skip(axis).step_by(2).sum::<f64>();
+    [0, 1].map(|axis| -sum(axis) - loads[axis])
+}
+
+/// Finds the sets of the rigid body `index` in the step of `record`, in which its rigid motions have the amounts `motions`.
+pub(super) fn of_rigid(
+    model: &Model,
+    solved: &Solved,
+    (index, record): (usize, &StepRecord),
+    motions: &[f64],
+    sets: &mut [Option<SetMotion>],
+) {
+    let Operator::Rigid(body) = &solved.operators[index] else {
+        return;
+    };
+    let moved = [0, 1].map(|axis| {
+        let modes = body.modes().row_iter().nth(axis);
+        let row = modes.map(|row| row.iter().zip(motions).map(|(r, a)| r * a).sum());
+        row.unwrap_or(0.0)
+    });
+    let forces = solved.forces_on_body(record, index);
+    Moved {
+        body: index,
+        at: &|_| moved,
+        reaction: &|_| [0.0; 2],
+        whole: whole_reaction(model, index, record, &forces),
+    }
+    .put(model, record, sets);
+}
+
+/// Finds the sets of a body of elements from its index and the amounts of its rigid motions, in the step of a record under its loads, from the displacements that
+/// strain it and the unbalanced nodal forces, x and y of each node in turn.
+pub(super) fn of_elastic(
+    model: &Model,
+    (index, body, motions): (usize, &CondensedBody, &[f64]),
+    (record, state): (&StepRecord, &BodyLoad<'_>),
+    [u, residual]: [&[f64]; 2],
+    sets: &mut [Option<SetMotion>],
+) {
+    let rigid = body.rigid_displacements(motions);
+    let at = |node: usize, axis: usize| u[2 * node + axis] + rigid[2 * node + axis];
+    Moved {
+        body: index,
+        at: &|node| [at(node, 0), at(node, 1)],
+        reaction: &|node| [residual[2 * node], residual[2 * node + 1]],
+        whole: body.section_reaction(state),
+    }
+    .put(model, record, sets);
+}
+
+/// Finds the sets of a body by series from its index and the amounts of its rigid motions, in the step of a record under its contact forces; of a half-plane none.
+pub(super) fn of_series(
+    model: &Model,
+    (index, body, motions): (usize, &SeriesBody, &[f64]),
+    (record, forces): (&StepRecord, &[f64]),
+    sets: &mut [Option<SetMotion>],
+) {
+    let (Some(own), None) = (model.bodies[index].elastic(), body.line_nodes()) else {
+        return;
+    };
+    let Some(field) = body.strained(record, forces) else {
+        return;
+    };
+    let places = own.mesh().nodes();
+    Moved {
+        body: index,
+        at: &|node| {
+            let strained = field.displacement(places[node]).unwrap_or_default();
+            let rigid = body.rigid_displacements(motions, &places[node..=node]);
+            [0, 1].map(|axis| strained[axis] + rigid[axis])
+        },
+        reaction: &|_| [0.0; 2],
+        whole: whole_reaction(model, index, record, forces),
+    }
+    .put(model, record, sets);
+}

@@ -1,0 +1,190 @@
+//! Stresses at the nodes of bodies, and where they are largest.
+
+use stickslip_fem_core::material::Material;
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::stress::{ElasticField, StressError, cartesian};
+
+use super::fields::Recovered;
+use crate::model::{Model, Singular};
+use crate::results::{
+    BodyStresses, EdgeKind, EdgeResults, Finding, Quantity, StepResults, StressPeak, Yield,
+    principal, von_mises,
+};
+
+/// How far from a held point, and from an end of a supported edge, stresses are left out, as parts of the smaller side of the body. The force F of a point makes
+/// stresses of F/(π r t) at the distance r, at two fifths of the diameter of a pin less than those that a contact makes on its rim.
+const FROM_POINT: f64 = 0.4;
+const FROM_END: f64 = 0.05;
+
+/// Stresses (xx, yy, xy) `[MPa]` at every node of the body `index`: of a series, or recovered from patches, and on reported edges from the edge's own strain.
+pub(super) fn at_nodes(
+    model: &Model,
+    index: usize,
+    recovered: &Recovered,
+    edges: &[EdgeResults],
+) -> Result<Vec<[f64; 3]>, StressError> {
+    let known = &recovered.stress[index];
+    let mut stress = if known.is_empty() {
+        patches(model, index, recovered)?
+    } else {
+        known.clone()
+    };
+    put_edges(model, index, edges, &mut stress);
+    Ok(stress)
+}
+
+/// Stresses at every node, recovered from patches of elements.
+fn patches(
+    model: &Model,
+    index: usize,
+    recovered: &Recovered,
+) -> Result<Vec<[f64; 3]>, StressError> {
+    let Some(elastic) = model.bodies[index].elastic() else {
+        return Ok(Vec::new());
+    };
+    let materials: Vec<&dyn Material> = elastic.materials().iter().map(AsRef::as_ref).collect();
+    let strain = elastic.initial_strain(&recovered.multipliers);
+    let initial = (!strain.is_empty()).then_some(strain.as_slice());
+    let displacement = &recovered.displacement[index];
+    let field = ElasticField::new(elastic.mesh(), &materials, displacement, initial)?;
+    Ok(field.patch_recovery().averaged())
+}
+
+/// Puts the stresses of the reported edges of the body `index` into those of its nodes.
+fn put_edges(model: &Model, index: usize, edges: &[EdgeResults], stress: &mut [[f64; 3]]) {
+    for (edge, results) in model.edges.iter().zip(edges) {
+        if edge.geometry.body != index {
+            continue;
+        }
+        let places = edge.nodes.iter().zip(&edge.geometry.parameter);
+        let places = places.zip(&edge.normals);
+        for (((&node, &at), normal), row) in places.zip(&results.rows) {
+            let [across, along, shear] = [row.sigma_normal, row.sigma_tangential, row.tau];
+            stress[node] = match edge.geometry.kind {
+                EdgeKind::Circle { .. } => cartesian([across, along, shear], at),
+                EdgeKind::Line => [along, across, shear],
+                // Shear is counted along the walk, against e_t.
+                EdgeKind::Path => cartesian([across, along, -shear], normal[1].atan2(normal[0])),
+            };
+        }
+    }
+}
+
+/// The largest stresses in every step: of bodies whose yield is asked about in all, of others in those with fields.
+pub(super) fn put(
+    model: &Model,
+    recovered: &[Recovered],
+    steps: &mut [StepResults],
+) -> Result<(), StressError> {
+    for (step, recovered) in steps.iter_mut().zip(recovered) {
+        for index in 0..model.bodies.len() {
+            let fields = step.fields.iter().find(|own| own.body == index);
+            let yields = model.bodies[index].yield_stress.is_some();
+            let stress = match fields {
+                Some(fields) => {
+                    let mut stress = fields.stress.clone();
+                    put_edges(model, index, &step.edges, &mut stress);
+                    stress
+                }
+                None if yields && recovered.has_stresses(index) => {
+                    at_nodes(model, index, recovered, &step.edges)?
+                }
+                None => continue,
+            };
+            step.stresses
+                .extend(largest(model, index, recovered, &stress));
+        }
+    }
+    Ok(())
+}
+
+/// The largest of the nodal stresses `stress` of the body `index`.
+fn largest(
+    model: &Model,
+    index: usize,
+    recovered: &Recovered,
+    stress: &[[f64; 3]],
+) -> Option<BodyStresses> {
+    let body = &model.bodies[index];
+    let elastic = body.elastic()?;
+    let material = elastic.materials().first()?;
+    let heating = (model.request.loads).heating(index, &recovered.multipliers);
+    let mesh = elastic.mesh();
+    let left_out = left_out(model, index, mesh);
+    let bounded = |at: &Point| {
+        let apart =
+            |(place, reach): &(Point, f64)| (at[0] - place[0]).hypot(at[1] - place[1]) > *reach;
+        left_out.iter().all(apart)
+    };
+    let nodes: Vec<(Point, [f64; 3])> = (mesh.nodes().iter().copied())
+        .zip(stress.iter().copied())
+        .filter(|(at, _)| bounded(at))
+        .collect();
+    let peak = |size: &dyn Fn([f64; 3]) -> f64| {
+        let sized = nodes.iter().map(|&(at, stress)| StressPeak {
+            stress: size(stress),
+            at,
+        });
+        sized.max_by(|one, other| one.stress.total_cmp(&other.stress))
+    };
+    let least = peak(&|stress| -principal(stress)[1])?;
+    Some(BodyStresses {
+        body: index,
+        von_mises: peak(&|stress| von_mises(stress, material.thickness_stress(stress, heating)))?,
+        largest_principal: peak(&|stress| principal(stress)[0])?,
+        least_principal: StressPeak {
+            stress: -least.stress,
+            ..least
+        },
+    })
+}
+
+/// Places where stresses have no bound `[mm]`, and how far around them they are left out.
+fn left_out(model: &Model, index: usize, mesh: &Mesh) -> Vec<(Point, f64)> {
+    let body = &model.bodies[index];
+    let [low, high] = mesh.bounding_box();
+    let side = |axis: usize| {
+        let own = high[axis] - low[axis];
+        if body.across == Some(axis) {
+            2.0 * own
+        } else {
+            own
+        }
+    };
+    let smaller = side(0).min(side(1));
+    let places = body.singular.iter();
+    let place = |place: &Singular| {
+        let part = match place {
+            Singular::Point(_) => FROM_POINT,
+            Singular::End(_) => FROM_END,
+        };
+        (mesh.nodes()[place.node()], part * smaller)
+    };
+    places.map(place).collect()
+}
+
+/// Bodies whose von Mises stress exceeds their yield stress in a step of `steps`.
+pub(super) fn yields(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
+    let of_body = |index: usize| {
+        let limit = model.bodies[index].yield_stress?;
+        let own = |(step, record): (usize, &StepResults)| {
+            let stresses = record.stresses.iter().find(|own| own.body == index)?;
+            Some((step + 1, stresses.von_mises))
+        };
+        let beyond = steps.iter().enumerate().filter_map(own);
+        let beyond: Vec<_> = beyond.filter(|(_, peak)| peak.stress > limit).collect();
+        let largest = |one: &&(usize, StressPeak), other: &&(usize, StressPeak)| {
+            one.1.stress.total_cmp(&other.1.stress)
+        };
+        let &(step, peak) = beyond.iter().max_by(largest)?;
+        Some(Finding::Yields(Yield {
+            body: model.bodies[index].name.clone(),
+            steps: beyond.iter().map(|(step, _)| *step).collect(),
+            step,
+            von_mises: Quantity::Stress(peak.stress),
+            yield_stress: Quantity::Stress(limit),
+            at: peak.at.map(Quantity::Length),
+        }))
+    };
+    (0..model.bodies.len()).filter_map(of_body).collect()
+}

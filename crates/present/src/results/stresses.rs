@@ -1,0 +1,84 @@
+//! The largest stresses of bodies: a table, and entries of `summary.json`.
+
+use serde::Serialize;
+use stickslip_engine::results::{BodyStresses, Results, StressPeak};
+use stickslip_report::table::Table;
+use stickslip_text::{short, significant};
+
+use super::quantity::{Quantity, Vector};
+
+/// What the table says of its places.
+pub(super) const NOTE: &str = "At the nodes of the elastic bodies, each in the step with its largest von Mises stress: of bodies with a yield stress among all steps, of \
+                    others among those with fields. Around held points, within two fifths of the body's smaller side, and ends of supported edges, within a twentieth, \
+                    stresses have no bound and are left out.";
+
+/// The largest stresses of every body, in the step with its largest von Mises stress; `None` where no step has stresses.
+pub(super) fn table(results: &Results) -> Option<Table> {
+    let units = results.units;
+    let (stress, length) = (units.stress.name, units.length.name);
+    let headings = format!(
+        "body | step | von Mises [{stress}] | at x, y [{length}] | largest principal [{stress}] | at x, y [{length}] | least principal [{stress}] | at x, y [{length}] | \
+         yield [{stress}]"
+    );
+    let value = |stress: f64| significant(units.stress.from_base(stress), 4);
+    let place = |peak: StressPeak| {
+        let [x, y] = peak.at.map(|at| short(units.length.from_base(at)));
+        format!("{x}, {y}")
+    };
+    let row = |(index, body)| {
+        let (step, own) = largest(results, index)?;
+        let body: &stickslip_engine::results::BodySummary = body;
+        let yields = body.yield_stress.map_or("–".into(), value);
+        let peaks = [own.von_mises, own.largest_principal, own.least_principal];
+        let peaks = peaks.map(|peak| [value(peak.stress), place(peak)]);
+        let cells = [body.name.clone(), (step + 1).to_string()].into_iter();
+        Some(cells.chain(peaks.into_iter().flatten()).chain([yields]))
+    };
+    let rows: Vec<_> = (results.bodies.iter().enumerate())
+        .filter_map(row)
+        .collect();
+    let table = Table::headed("Largest stresses of the bodies", &headings).with_rows(rows);
+    (!table.rows.is_empty()).then_some(table)
+}
+
+/// The step in which the von Mises stress of the body `index` is largest.
+fn largest(results: &Results, index: usize) -> Option<(usize, BodyStresses)> {
+    let own = |(step, record): (usize, &stickslip_engine::results::StepResults)| {
+        let found = record.stresses.iter().find(|own| own.body == index)?;
+        Some((step, *found))
+    };
+    let steps = results.steps.iter().enumerate().filter_map(own);
+    steps.max_by(|one, other| one.1.von_mises.stress.total_cmp(&other.1.von_mises.stress))
+}
+
+/// The largest stresses of a body in `summary.json`, in a step.
+#[derive(Debug, Serialize)]
+pub(super) struct Entry<'a> {
+    body: &'a str,
+    von_mises: Peak,
+    largest_principal: Peak,
+    least_principal: Peak,
+}
+
+#[derive(Debug, Serialize)]
+struct Peak {
+    #[serde(flatten)]
+    stress: Quantity,
+    at: Vector,
+}
+
+/// The largest stresses at the end of `step` in `summary.json`.
+pub(super) fn entries(results: &Results, step: usize) -> Vec<Entry<'_>> {
+    let units = results.units;
+    let peak = |own: StressPeak| Peak {
+        stress: Quantity::of(units.stress, own.stress),
+        at: Vector::of(units.length, own.at),
+    };
+    let entry = |own: &BodyStresses| Entry {
+        body: &results.bodies[own.body].name,
+        von_mises: peak(own.von_mises),
+        largest_principal: peak(own.largest_principal),
+        least_principal: peak(own.least_principal),
+    };
+    results.steps[step].stresses.iter().map(entry).collect()
+}

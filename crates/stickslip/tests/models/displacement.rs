@@ -1,0 +1,167 @@
+//! Displacements of loaded sets, reactions of held ones and stiffness: closed forms, half beside whole, series beside elements.
+
+use stickslip::results::{Results, SetKind, SetMotion};
+
+use super::series::PIN;
+use super::solved;
+
+/// A plate of 100 × 20 × 2 mm that is pulled along x; E A / L = 70 GPa · 40 mm² / 100 mm = 28 kN/mm.
+const PLATE: &str = r#"
+version = 1
+[materials.metal.isotropic]
+young = "70 GPa"
+poisson = 0.3
+[bodies.plate]
+material = "metal"
+thickness = "2 mm"
+shape.rectangle = { width = "100 mm", height = "20 mm" }
+[mesh]
+spacing = "5 mm"
+[[supports]]
+on = "plate.left"
+fix = ["x"]
+[[supports]]
+on = "plate.bottom"
+fix = ["y"]
+[[loads]]
+name = "pull"
+on = "plate.right"
+force = { direction = [1, 0], steps = ["7 kN", "14 kN", "14 kN"] }
+[[edges]]
+on = "plate.top"
+[output]
+fields = "none"
+figures = false
+"#;
+const STIFFNESS: f64 = 28e3;
+
+fn motion(results: &Results, set: usize, step: usize) -> SetMotion {
+    results.steps[step].sets[set].unwrap()
+}
+
+fn close(one: f64, other: f64, part: f64) -> bool {
+    (one - other).abs() <= part * other.abs()
+}
+
+#[test]
+fn a_pulled_plate_has_the_stiffness_of_a_bar() {
+    // The field is linear, which every element has exactly: what is left is rounding of the solution.
+    let exact = 1e-10;
+    for (changes, stiffness) in [
+        (vec![], STIFFNESS),
+        (vec!["analysis.plane=strain"], STIFFNESS / (1.0 - 0.09)),
+        (
+            vec![
+                r#"loads.0={ on = "plate.right", pressure.steps = ["-175 MPa", "-350 MPa", "-350 MPa"] }"#,
+            ],
+            STIFFNESS,
+        ),
+    ] {
+        let results = solved(PLATE, &changes);
+        for (step, force) in [7e3, 14e3, 14e3].into_iter().enumerate() {
+            let own = motion(&results, 0, step);
+            let sign = own.force.signum();
+            assert!(close(own.force, sign * force, exact), "{own:?}");
+            assert!(
+                close(own.displacement, sign * force / stiffness, exact),
+                "{own:?}"
+            );
+            let found = results.stiffness(0, step);
+            assert!(close(found.secant.unwrap(), stiffness, exact));
+            let tangent = found
+                .tangent
+                .map(|tangent| close(tangent, stiffness, 10.0 * exact));
+            // Nothing changes in the last step, and nothing is before the first.
+            assert_eq!(tangent, (step == 1).then_some(true));
+        }
+        // The left edge takes the force, the bottom nothing.
+        let [left, bottom] = [1, 2].map(|set| motion(&results, set, 1));
+        assert_eq!(
+            results.sets[1].kind,
+            SetKind::Held {
+                direction: [1.0, 0.0]
+            }
+        );
+        assert!(close(left.force, -14e3, exact) && bottom.force.abs() < 1e-6);
+        assert_eq!(left.displacement, 0.0);
+        assert_eq!(results.stiffness(1, 1).secant, None);
+    }
+}
+
+#[test]
+fn a_moved_edge_takes_what_a_pull_by_as_much_gives() {
+    let moved = [
+        "loads=[]",
+        r#"supports.2={ on = "plate.right", fix = ["x"], displacement = "0.5 mm" }"#,
+    ];
+    let results = solved(PLATE, &moved);
+    let own = motion(&results, 2, 0);
+    assert!(close(own.force, 14e3, 1e-10) && own.displacement == 0.5);
+    assert!(close(
+        results.stiffness(2, 0).secant.unwrap(),
+        STIFFNESS,
+        1e-10
+    ));
+}
+
+#[test]
+fn half_and_whole_and_series_and_elements_agree() {
+    let section = r#"supports.0={ on = "pin.section", fix = ["x", "y"] }"#;
+    let elements = "mesh.spacing=1.5 deg";
+    let by = |changes: &[&str]| solved(PIN, &[&[section], changes].concat());
+    let half = by(&["analysis.model=half", elements]);
+    let whole = by(&["analysis.model=whole", elements]);
+    let series = by(&["analysis.contact_nodes=121"]);
+    for step in 0..3 {
+        let [one, other, third] = [&half, &whole, &series].map(|own| {
+            let pull = motion(own, 0, step);
+            // The section takes the pull of the plate.
+            assert!(close(motion(own, 1, step).force, pull.force, 1e-8));
+            assert!(motion(own, 2, step).force.abs() < 1e-6 * pull.force);
+            pull
+        });
+        assert!(close(one.force, other.force, 1e-14) && close(one.force, third.force, 1e-14));
+        assert!(
+            close(one.displacement, other.displacement, 1e-7),
+            "{one:?} {other:?}"
+        );
+        // Both converge to the same; elements of 1.5° and 121 nodes differ by less than a thousandth.
+        assert!(
+            close(one.displacement, third.displacement, 1e-3),
+            "{one:?} {third:?}"
+        );
+    }
+}
+
+#[test]
+fn a_rigid_pin_moves_by_what_the_plate_gives() {
+    // The same joint driven from either side: the plate held and the rigid pin pushed, or the pin held and the plate pulled.
+    let rigid = r#"bodies.pin={ rigid = true, shape.disk.radius = "4.99 mm" }"#;
+    let mesh = "mesh.spacing=3 deg";
+    let pulled = solved(
+        PIN,
+        &[
+            rigid,
+            mesh,
+            r#"supports.0={ on = "pin.rim", fix = ["x", "y"] }"#,
+        ],
+    );
+    let pushed = solved(
+        PIN,
+        &[
+            rigid,
+            mesh,
+            r#"supports.0={ on = "plate.left", fix = ["x", "y"] }"#,
+            r#"supports.1={ on = "pin.rim", fix = ["y"] }"#,
+            r#"loads.0={ on = "pin.rim", force = { direction = [1, 0], steps = ["1 kN", "4 kN", "1.5 kN"] } }"#,
+        ],
+    );
+    for step in 0..3 {
+        let [one, other] = [&pulled, &pushed].map(|own| motion(own, 0, step));
+        // The plate's end is clamped once and free to contract once, 60 mm away: Saint-Venant.
+        assert!(
+            close(one.displacement, other.displacement, 5e-2),
+            "{one:?} {other:?}"
+        );
+    }
+}
