@@ -88,7 +88,11 @@ impl FloatingBalance {
         let sum = load + problem.modes().columns_range(modes).tr_mul(&state.forces);
         let own = problem.pairs().iter().zip(pairs);
         let presses = own
-            .filter(|(pair, _)| pair.first == body || pair.second == body)
+            .filter(|(pair, _)| {
+                [pair.first, pair.second]
+                    .map(|own| problem.carrier(own))
+                    .contains(&body)
+            })
             .map(|(_, sums)| sums.magnitude);
         let mut balance = Self {
             body,

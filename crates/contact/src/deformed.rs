@@ -217,7 +217,7 @@ impl<'a> DeformedGaps<'a> {
     ) -> Vec<DVector<f64>> {
         let displacement = |(index, body): (usize, &&dyn InterfaceOperator)| {
             let forces = contacts.forces_on_body(index, body.points().len(), &state.forces);
-            let amounts = problem.motions_of_body(index, &state.rigid);
+            let amounts = problem.motions_of_body(index, &state.rigid, &state.forces, multipliers);
             body.displacements(&forces, &amounts, multipliers)
         };
         self.bodies.iter().enumerate().map(displacement).collect()

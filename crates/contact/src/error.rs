@@ -18,6 +18,14 @@ pub enum ContactError {
         /// What is wrong, with the numbers.
         what: String,
     },
+    /// A link does not fit its bodies.
+    #[error("link {link}: {what}")]
+    InvalidLink {
+        /// Index of the link.
+        link: usize,
+        /// What does not fit.
+        what: String,
+    },
     /// A pair is named by an index that no pair has.
     #[error("pair {pair} does not exist: the problem has {pairs}")]
     UnknownPair {

@@ -41,7 +41,10 @@ pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
         return Vec::new();
     }
     let relative = problem.modes() * &motions;
-    let moves = |body: usize| motions.rows_range(problem.body_modes(body)).amax() > NEGLIGIBLE;
+    let moves = |body: usize| {
+        let modes = problem.body_modes(problem.carrier(body));
+        motions.rows_range(modes).amax() > NEGLIGIBLE
+    };
     let free = |body: usize| {
         let pairs = problem.pairs().iter().enumerate();
         let own = pairs.filter(|(_, pair)| pair.first == body || pair.second == body);

@@ -17,7 +17,7 @@ use nalgebra::DVector;
 use stickslip_fem_core::{InterfaceOperator, parallel};
 
 use crate::error::ContactError;
-use crate::problem::{ContactPair, Contacts, InterfaceProblem, check};
+use crate::problem::{ContactPair, Contacts, InterfaceProblem, Link, check, link};
 use crate::state::ContactState;
 
 /// All contacts of a scene, in independent parts.
@@ -49,11 +49,13 @@ pub struct Group {
     pub pairs: Vec<usize>,
 }
 
-/// Groups the bodies that `pairs` link, given by the indices of their two bodies. `links[b]` says whether body `b` gives or moves; one
-/// that does neither is in every group that touches it, and in none without contact.
-pub fn groups(links: &[bool], pairs: &[[usize; 2]]) -> Vec<Group> {
+/// Groups the bodies that `pairs` link, given by the indices of their two bodies, and those of each of `together`, which springs link. `links[b]`
+/// says whether body `b` gives or moves; one that does neither is in every group that touches it, and in none without contact.
+pub fn groups(links: &[bool], pairs: &[[usize; 2]], together: &[&[usize]]) -> Vec<Group> {
     let mut parent: Vec<usize> = (0..links.len()).collect();
-    for &[first, second] in pairs {
+    let sprung = together.iter().flat_map(|bodies| bodies.windows(2));
+    let sprung = sprung.map(|bodies| [bodies[0], bodies[1]]);
+    for [first, second] in pairs.iter().copied().chain(sprung) {
         if links[first] && links[second] {
             let (one, other) = (root(&mut parent, first), root(&mut parent, second));
             parent[one.max(other)] = one.min(other);
@@ -96,24 +98,36 @@ impl Interface {
         bodies: &[&dyn InterfaceOperator],
         pairs: Vec<ContactPair>,
     ) -> Result<Self, ContactError> {
+        Self::linked(bodies, pairs, &[])
+    }
+
+    /// As [`new`](Self::new), with springs `links` between rigid motions of bodies.
+    ///
+    /// # Errors
+    /// As [`InterfaceProblem::linked`].
+    pub fn linked(
+        bodies: &[&dyn InterfaceOperator],
+        pairs: Vec<ContactPair>,
+        links: &[Link],
+    ) -> Result<Self, ContactError> {
         check::all(&pairs, bodies)?;
+        link::check(links, bodies)?;
         let moves = |body: usize| bodies[body].modes().ncols() > 0;
-        let links: Vec<bool> = (0..bodies.len())
+        let gives: Vec<bool> = (0..bodies.len())
             .map(|body| moves(body) || bodies[body].gives())
             .collect();
         let ends: Vec<[usize; 2]> = pairs.iter().map(|pair| [pair.first, pair.second]).collect();
-        let mut groups = groups(&links, &ends);
+        let together: Vec<&[usize]> = links.iter().map(|link| &*link.bodies).collect();
+        let mut groups = groups(&gives, &ends, &together);
         // Others have nothing to solve for.
         groups.retain(|group| !group.pairs.is_empty() || group.bodies.iter().any(|&b| moves(b)));
         if groups.len() < 2 {
-            return Ok(InterfaceProblem::new(bodies, pairs)?.into());
+            return Ok(InterfaceProblem::linked(bodies, pairs, links)?.into());
         }
-        let mut mode_offsets = vec![0];
-        for body in bodies {
-            mode_offsets.push(mode_offsets[mode_offsets.len() - 1] + body.modes().ncols());
-        }
+        let mode_offsets = link::mode_offsets(bodies, links);
         let mut contacts = Contacts::new(pairs, bodies);
-        let part = |group: &Group| Part::new(group.clone(), bodies, &contacts, &mode_offsets);
+        let whole = (&contacts, links, mode_offsets.as_slice());
+        let part = |group: &Group| Part::new(group.clone(), bodies, whole);
         let parts: Vec<Part> = parallel::map(&groups, part)
             .into_iter()
             .collect::<Result<_, _>>()?;
@@ -150,22 +164,32 @@ impl Interface {
         self.mode_offsets[body]..self.mode_offsets[body + 1]
     }
 
-    /// As [`InterfaceProblem::motions_of_body`], of body `index` with `rigid` those of all parts.
-    pub fn motions_of_body(&self, index: usize, rigid: &DVector<f64>) -> Vec<f64> {
-        let mut amounts = rigid.as_slice()[self.body_modes(index)].to_vec();
+    /// As [`InterfaceProblem::motions_of_body`], of body `index` with `state` that of all parts.
+    pub fn motions_of_body(&self, index: usize, state: &ContactState) -> Vec<f64> {
         // A body that moves is in one part only.
-        for part in &self.parts {
-            if let Ok(local) = part.group.bodies.binary_search(&index) {
-                let units = part.problem.mode_units(local);
-                let both = amounts.iter_mut().zip(units);
-                both.for_each(|(amount, unit)| *amount *= unit);
-                break;
-            }
+        let own = self.parts.iter().find_map(|part| {
+            let local = part.group.bodies.binary_search(&index).ok()?;
+            Some((part, local))
+        });
+        let Some((part, local)) = own else {
+            return Vec::new();
+        };
+        let multipliers = &state.multipliers;
+        if self.is_undivided() {
+            return (part.problem).motions_of_body(local, &state.rigid, &state.forces, multipliers);
         }
-        amounts
+        let rigid = state.rigid.select_rows(&part.modes);
+        let forces = part.own_components(&state.forces);
+        (part.problem).motions_of_body(local, &rigid, &forces, multipliers)
     }
 
-    /// The rigid motions of all bodies that are `amounts` of each body's own: what [`motions_of_body`](Self::motions_of_body) takes apart.
+    /// Whether springs link bodies.
+    pub fn is_linked(&self) -> bool {
+        self.parts.iter().any(|part| part.problem.is_linked())
+    }
+
+    /// The rigid motions of all bodies, none of them linked, that are `amounts` of each body's own: what
+    /// [`motions_of_body`](Self::motions_of_body) takes apart.
     pub(crate) fn rigid_of(&self, amounts: &[Vec<f64>]) -> DVector<f64> {
         let mut rigid = DVector::zeros(self.mode_count());
         for (index, own) in amounts.iter().enumerate() {
@@ -244,8 +268,7 @@ impl Part {
     fn new(
         group: Group,
         bodies: &[&dyn InterfaceOperator],
-        contacts: &Contacts,
-        mode_offsets: &[usize],
+        (contacts, links, mode_offsets): (&Contacts, &[Link], &[usize]),
     ) -> Result<Self, ContactError> {
         let own: Vec<&dyn InterfaceOperator> =
             group.bodies.iter().map(|&body| bodies[body]).collect();
@@ -260,8 +283,13 @@ impl Part {
             }
         });
         let modes = |&body: &usize| mode_offsets[body]..mode_offsets[body + 1];
+        // The bodies of a link are in one part.
+        let linked = links
+            .iter()
+            .filter_map(|link| link.among(|body| group.bodies.binary_search(&body).ok()));
+        let linked: Vec<Link> = linked.collect();
         Ok(Self {
-            problem: InterfaceProblem::new(&own, pairs.collect())?,
+            problem: InterfaceProblem::linked(&own, pairs.collect(), &linked)?,
             points: (group.pairs.iter())
                 .flat_map(|&pair| contacts.pair_points(pair))
                 .collect(),

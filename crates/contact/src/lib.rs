@@ -97,7 +97,7 @@ pub use history::{Increment, LoadHistory, Ramp, StepRecord};
 pub use interface::Interface;
 pub use mortar::{EdgeSide, InitialGap, MortarError, Multipliers, Projected, Projection};
 pub use problem::{
-    Compliance, ContactPair, ContactPoint, Contacts, InterfaceProblem, Stencil, StencilTerm,
+    Compliance, ContactPair, ContactPoint, Contacts, InterfaceProblem, Link, Stencil, StencilTerm,
 };
 pub use solver::{
     AugmentedLagrangian, Chain, Continuation, Enumeration, GaussSeidel, InterfaceSolver, Penalty,

@@ -15,6 +15,7 @@ pub(crate) mod check;
 mod compliance;
 mod contacts;
 mod free_motions;
+pub(crate) mod link;
 mod stencil;
 
 use std::sync::Arc;
@@ -29,6 +30,8 @@ use compliance::{add_compliance, assemble};
 pub use contacts::{ContactPair, ContactPoint, Contacts, ProblemPoint};
 pub(crate) use contacts::{Couple, frame};
 pub use free_motions::FreeMotions;
+pub use link::Link;
+use link::Linked;
 pub use stencil::{BodyRows, Stencil, StencilTerm};
 
 use crate::error::ContactError;
@@ -47,6 +50,7 @@ pub struct InterfaceProblem {
     mode_offsets: Vec<usize>,
     case_motion: Vec<DVector<f64>>,
     case_mode_load: Vec<DVector<f64>>,
+    links: Vec<Linked>,
 }
 
 impl InterfaceProblem {
@@ -60,11 +64,22 @@ impl InterfaceProblem {
         bodies: &[&dyn InterfaceOperator],
         pairs: Vec<ContactPair>,
     ) -> Result<Self, ContactError> {
+        Self::linked(bodies, pairs, &[])
+    }
+
+    /// As [`new`](Self::new), with springs `links` between rigid motions of bodies. The motions that the springs of a link do not resist
+    /// count as those of its first body.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`ContactError::InvalidLink`] for a link that does not fit its bodies.
+    pub fn linked(
+        bodies: &[&dyn InterfaceOperator],
+        pairs: Vec<ContactPair>,
+        links: &[Link],
+    ) -> Result<Self, ContactError> {
         let cases = check::all(&pairs, bodies)?;
-        let mut mode_offsets = vec![0];
-        for body in bodies {
-            mode_offsets.push(mode_offsets[mode_offsets.len() - 1] + body.modes().ncols());
-        }
+        link::check(links, bodies)?;
+        let mode_offsets = link::mode_offsets(bodies, &[]);
         let contacts = Contacts::new(pairs, bodies);
         let size = 2 * contacts.points().len();
         let mut problem = Self {
@@ -76,10 +91,12 @@ impl InterfaceProblem {
             case_mode_load: vec![DVector::zeros(mode_offsets[bodies.len()]); cases],
             contacts,
             mode_offsets,
+            links: Vec::new(),
         };
         for (index, body) in bodies.iter().enumerate() {
             problem.add_body(index, *body);
         }
+        problem.link(bodies, links);
         problem.equilibrate_modes();
         problem.find_sliding_points();
         problem.compliance_unit = power_of_two_near(problem.compliance.diagonal().amax());
@@ -335,13 +352,6 @@ impl InterfaceProblem {
     /// Range of the rigid motions of body `body` among the columns of G.
     pub fn body_modes(&self, body: usize) -> std::ops::Range<usize> {
         self.mode_offsets[body]..self.mode_offsets[body + 1]
-    }
-
-    /// Amounts of the own rigid motions of body `body`, one for each column of its
-    /// [`modes`](InterfaceOperator::modes), where those of the problem are `rigid`, m.
-    pub fn motions_of_body(&self, body: usize, rigid: &DVector<f64>) -> Vec<f64> {
-        let amount = |mode: usize| self.mode_units[mode] * rigid[mode];
-        self.body_modes(body).map(amount).collect()
     }
 
     /// Units of the rigid motions of body `body`.

@@ -40,13 +40,16 @@ pub struct Whole<'a> {
 
 impl<'a> Whole<'a> {
     /// Those of `interface` between `bodies`, with contact as `kinematics` says; `edges` are those of its pairs. `None` where a contact point is not a single node of
-    /// either body, or `edges` do not fit the pairs.
+    /// either body, springs link bodies, or `edges` do not fit the pairs.
     pub fn new(
         bodies: &[&'a dyn InterfaceOperator],
         interface: &'a Interface,
         kinematics: &Kinematics<'a>,
         edges: Vec<EdgeNodes>,
     ) -> Option<Self> {
+        if interface.is_linked() {
+            return None;
+        }
         let pairs = interface.contacts().pairs();
         let (facings, gaps) = match kinematics {
             Kinematics::Small => Default::default(),

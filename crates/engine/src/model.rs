@@ -4,6 +4,7 @@ mod bearing;
 mod compliance;
 mod contacts;
 mod extent;
+mod fasteners;
 mod half_plane;
 mod limits;
 mod load_table;
@@ -35,9 +36,10 @@ use crate::results::{Choice, EdgeGeometry, Finding};
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
-use stickslip_scene::placement::{self, offset};
+use stickslip_scene::placement;
 use stickslip_scene::schema::KinematicsChoice;
 
+pub use fasteners::ModelFastener;
 pub use load_table::LoadTable;
 pub use meshes::{BYTES_PER_NODE, NODE_LIMIT};
 pub use request::{FailingBody, FailureRequest, FollowedJoint, Request};
@@ -301,6 +303,8 @@ pub struct Model {
     pub facings: Vec<Facing>,
     /// What else is known of each contact.
     pub contacts: Vec<ModelContact>,
+    /// Fasteners in the order of their names.
+    pub fasteners: Vec<ModelFastener>,
     /// Contact edges first, then further edges.
     pub edges: Vec<ModelEdge>,
     /// Sets that loads act on, and those that are held.
@@ -377,6 +381,7 @@ impl Model {
             pairs: contacts.pairs,
             facings: contacts.facings,
             contacts: known_of_contacts(&plan, half),
+            fasteners: fasteners::build(&plan),
             edges: contacts.edges,
             sets: sets::all(&plan, &bodies, half)?,
             history: loads::history(&plan)?,
@@ -478,7 +483,7 @@ pub fn obstacle_to_half(scene: &Scene) -> Option<String> {
 fn known_of_contacts(plan: &Plan<'_>, half: bool) -> Vec<ModelContact> {
     let known = |contact: &plan::ContactPlan<'_>| ModelContact {
         mirror: half.then(|| extent::mirror(plan, contact)).flatten(),
-        clearance: contact.radii().map_or(0.0, |radii| offset(radii)[0]),
+        clearance: (contact.radii()).map_or(0.0, |[hole, inner]| (hole - inner).max(0.0)),
         interference: contact.of.interference,
     };
     plan.contacts.iter().map(known).collect()

@@ -2,6 +2,7 @@
 
 mod displacement;
 mod failure;
+mod fastener;
 mod finding;
 mod frame;
 mod nodes;
@@ -24,6 +25,8 @@ pub use failure::{
     BesideSupports, BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope,
     EnvelopePoint, FailurePoint, FirstPly, JointFailure, JointMode, PlyGroup, PlyMap, PointErrors,
 };
+
+pub use fastener::{Fastener, FastenerStep, Layer, LayerStep};
 
 pub use finding::{
     ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
@@ -83,6 +86,8 @@ pub struct Results {
     pub sets: Vec<LoadedSet>,
     /// Bodies that contact links, each part solved apart from the others; empty stands for one part of everything.
     pub parts: Vec<ResultPart>,
+    /// Fasteners in the order of their names.
+    pub fasteners: Vec<Fastener>,
     /// Load steps.
     pub steps: Vec<StepResults>,
     /// Failure of the laminated bodies for which the scene requests it.
@@ -313,6 +318,8 @@ pub struct StepResults {
     /// Force and displacement of the sets in the order of [`Results::sets`]; `None` where they are not recovered, as in cases of a sweep, and on
     /// half-planes, whose displacement has no bound.
     pub sets: Vec<Option<SetMotion>>,
+    /// Fasteners in the order of [`Results::fasteners`].
+    pub fasteners: Vec<FastenerStep>,
     /// Work of the solvers.
     pub work: Work,
     /// Names of the solvers that found its increments.

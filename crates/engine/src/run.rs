@@ -5,6 +5,7 @@ mod blocks;
 mod doubts;
 mod edges;
 mod failure;
+mod fasteners;
 mod fields;
 mod ladder;
 mod peaks;
@@ -34,8 +35,8 @@ pub use solved::{Operator, OwnNodes, Solved};
 use crate::load_scale::LoadScale;
 use crate::model::{self, Model, ModelBodyKind, ModelError};
 use crate::results::{
-    BodySummary, Choice, EdgeGeometry, EdgeResults, Finding, ResultPart, Results, StepNotes,
-    StepResults,
+    BodySummary, Choice, EdgeGeometry, EdgeResults, FastenerStep, Finding, ResultPart, Results,
+    StepNotes, StepResults,
 };
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
@@ -162,7 +163,7 @@ fn assemble(model: &Model, progress: &mut dyn FnMut(Progress)) -> Result<Assembl
     let operators = condense(model)?;
     let condensed = model.host.seconds() - start;
     let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
-    let interface = Interface::new(&faces, model.pairs.clone())?;
+    let interface = model.interface(&faces)?;
     drop(faces);
     let assembled = model.host.seconds() - start;
     let phases = [
@@ -352,6 +353,7 @@ fn reported(
         edges: geometries,
         sets: model.sets.iter().map(|own| own.set.clone()).collect(),
         parts: parts(model),
+        fasteners: fasteners::all(model),
         steps,
         failure: Vec::new(),
         phases: Vec::new(),
@@ -386,13 +388,15 @@ fn steps(
     recovered: &[fields::Recovered],
     edges: Vec<Vec<EdgeResults>>,
 ) -> Vec<StepResults> {
-    let step = |(index, edges): (usize, Vec<EdgeResults>)| {
+    let fastened = fasteners::of_steps(model, solved);
+    let step = |(index, (edges, fasteners)): (usize, (Vec<EdgeResults>, Vec<FastenerStep>))| {
         let record = &solved.records[index];
         StepResults {
             unloading: false,
             loads: model.request.loads.at_step(index),
             edges,
             sets: recovered[index].sets.clone(),
+            fasteners,
             work: record.work,
             solvers: record.solvers.clone(),
             increments: record.increments,
@@ -408,7 +412,8 @@ fn steps(
             seconds: solved.step_seconds[index],
         }
     };
-    edges.into_iter().enumerate().map(step).collect()
+    let all = edges.into_iter().zip(fastened).enumerate();
+    all.map(step).collect()
 }
 
 fn findings(
@@ -423,6 +428,7 @@ fn findings(
     findings.extend(doubts::of_steps(model, steps));
     findings.extend(remarks::of_freedom(model, &solved.interface));
     findings.extend(remarks::of_reserve(model));
+    findings.extend(fasteners::eccentric(model, steps));
     findings.extend(doubts::of_looseness(model, &solved.records));
     findings.extend(doubts::of_parting(&solved.records));
     findings.extend(doubts::of_ripples(model, solved));

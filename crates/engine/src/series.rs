@@ -208,14 +208,25 @@ impl SeriesBody {
     }
 
     /// The balance of contact forces, loads and reactions in the state of `record`, which the series holds by construction: what is left is what
-    /// contact leaves in the body's free motions.
-    pub(crate) fn balance(&self, forces: &[f64], record: &StepRecord) -> BodyBalance {
+    /// contact leaves in the body's free motions; of the slice of a fastener, `is_carried`, that is what the fastener takes.
+    pub(crate) fn balance(
+        &self,
+        forces: &[f64],
+        record: &StepRecord,
+        is_carried: bool,
+    ) -> BodyBalance {
         let operator = self.interface();
         let mut rest = operator
             .modes()
             .tr_mul(&nalgebra::DVector::from_column_slice(forces));
         for (case, &factor) in record.state.multipliers.iter().enumerate() {
             rest.axpy(factor, operator.mode_load(case), 1.0);
+        }
+        if is_carried {
+            return BodyBalance {
+                reaction: [-rest[0], -rest[1]],
+                ..BodyBalance::default()
+            };
         }
         let size = forces.iter().map(|force| force.abs()).sum::<f64>() * 0.5;
         let left = if size > 0.0 { rest.amax() / size } else { 0.0 };

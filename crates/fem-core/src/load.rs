@@ -65,35 +65,48 @@ pub fn edge_load(
 
 /// Computes the part ∫ N_a dA `[length²]` that each node has of the body's area.
 pub fn area_load(mesh: &Mesh) -> Vec<f64> {
-    struct Visit<'a> {
+    area_integral(mesh, |_| 1.0)
+}
+
+/// Computes ∫ N_a f dA of a function f of the place, for each node.
+pub fn area_integral(mesh: &Mesh, function: impl Fn(Point) -> f64) -> Vec<f64> {
+    struct Visit<'a, F> {
         mesh: &'a Mesh,
         connectivity: &'a [usize],
-        areas: &'a mut [f64],
+        function: &'a F,
+        integrals: &'a mut [f64],
     }
-    impl KindVisitor for Visit<'_> {
+    impl<F: Fn(Point) -> f64> KindVisitor for Visit<'_, F> {
         type Output = ();
         fn visit<const N: usize, E: Element<N>>(self) {
             for cell in self.connectivity.chunks_exact(N) {
                 let x = gather::<N>(self.mesh.nodes(), cell);
                 for point in E::QUADRATURE {
+                    let shapes = E::shape(point.at);
+                    let place = [0, 1].map(|axis| {
+                        let terms = x.iter().zip(shapes.iter());
+                        terms.map(|(at, shape)| at[axis] * shape).sum()
+                    });
                     let weight = point.weight * physical_gradients::<N, E>(&x, point.at).det;
-                    for (&node, shape) in cell.iter().zip(E::shape(point.at)) {
-                        self.areas[node] += weight * shape;
+                    let weight = weight * (self.function)(place);
+                    for (&node, shape) in cell.iter().zip(shapes) {
+                        self.integrals[node] += weight * shape;
                     }
                 }
             }
         }
     }
-    let mut areas = vec![0.0; mesh.nodes().len()];
+    let mut integrals = vec![0.0; mesh.nodes().len()];
     for block in mesh.blocks() {
         let visit = Visit {
             mesh,
             connectivity: &block.connectivity,
-            areas: &mut areas,
+            function: &function,
+            integrals: &mut integrals,
         };
         with_element(block.kind, visit);
     }
-    areas
+    integrals
 }
 
 /// Forces `[force]` on all nodes, interleaved, of one initial strain (ε_xx, ε_yy, γ_xy) per block, with the blocks'

@@ -104,7 +104,7 @@ impl ConventionalNewton {
             return Err(ConventionalError::OtherBodies { expected, found });
         }
         let mut elastic = operators.iter().filter_map(Operator::elastic);
-        if elastic.any(|body| body.body().section_hold().is_some()) {
+        if elastic.any(|body| body.body().has_section()) {
             return Err(ConventionalError::HeldSection);
         }
         Ok(Self {

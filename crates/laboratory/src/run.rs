@@ -77,7 +77,8 @@ pub fn run(scene: &Scene, path: Path<'_>) -> Result<Run, LaboratoryError> {
     let problem = {
         let faces: Vec<&dyn InterfaceOperator> =
             operators.iter().map(Operator::interface).collect();
-        InterfaceProblem::new(&faces, model.pairs.clone()).map_err(RunError::from)?
+        InterfaceProblem::linked(&faces, model.pairs.clone(), &model.links())
+            .map_err(RunError::from)?
     };
     [seconds.setup, processor.setup] = clock.lap();
     let whole;

@@ -20,6 +20,7 @@ mod consistency;
 mod csv_files;
 mod display;
 mod failure;
+mod fasteners;
 mod figures;
 mod findings;
 mod mesh_files;

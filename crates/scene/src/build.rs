@@ -8,6 +8,7 @@ mod bodies;
 mod contacts;
 mod declared;
 mod failure;
+mod fasteners;
 mod holds;
 mod idle;
 mod laminates;
@@ -73,6 +74,13 @@ pub(super) fn build(
     builder.stand_once(&contacts);
     let supports = builder.supports(&format);
     let platens = builder.platens(&format, &contacts);
+    let beside = fasteners::Beside {
+        materials: &materials,
+        contacts: &contacts,
+        supports: &supports,
+        platens: &platens,
+    };
+    let fasteners = builder.fasteners(&format, &beside);
     let loads = builder.loads(&format, &materials, base);
     let (numbers, loads): (Vec<_>, Vec<_>) = loads.into_iter().unzip();
     let edges = builder.edges(&format);
@@ -85,7 +93,7 @@ pub(super) fn build(
     };
     let failure = builder.failure(&format, &materials, &surroundings);
     builder.loads_act(&surroundings);
-    builder.everything_is_held(&contacts, &supports, &platens);
+    builder.everything_is_held(&contacts, &fasteners, &supports, &platens);
     if !failure.as_ref().is_some_and(Failure::is_driven) {
         builder.something_happens(&contacts, &supports, &loads);
     }
@@ -103,6 +111,7 @@ pub(super) fn build(
         bodies: _,
         mesh: _,
         contacts: _,
+        fasteners: _,
         supports: _,
         platens: _,
         loads: _,
@@ -121,6 +130,7 @@ pub(super) fn build(
         mesh,
         is_divided,
         contacts,
+        fasteners,
         supports,
         platens,
         loads,

@@ -3,6 +3,7 @@
 //! Field names are the keys. Unknown keys are refused, every quantity carries its unit, and choices are externally tagged
 //! (`shape.disk = { … }`). Serialising gives the scene with all defaults filled in.
 
+mod fasteners;
 mod laminate;
 mod loads;
 mod progressive;
@@ -18,6 +19,7 @@ use crate::shape::ShapeFormat;
 use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
 };
+pub(super) use fasteners::{EndFormat, FastenerFormat, SpringsFormat};
 pub(super) use laminate::{
     CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, LaminateFormat,
     PlyFormat, StrengthsFormat,
@@ -47,6 +49,8 @@ pub(super) struct SceneFormat {
     pub(super) mesh: Option<MeshFormat>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) contacts: Vec<ContactFormat>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) fasteners: BTreeMap<String, FastenerFormat>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) supports: Vec<SupportFormat>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -16,6 +16,7 @@
 mod bodies;
 mod document;
 mod failure;
+mod fasteners;
 mod loads;
 mod materials;
 mod scene;
@@ -30,7 +31,7 @@ pub use self::document::document;
 /// Every table of a scene, each before those inside it.
 pub fn tables() -> impl Iterator<Item = Table> {
     let own = [scene::TABLES, materials::TABLES, bodies::TABLES];
-    let others = [loads::TABLES, failure::TABLES];
+    let others = [fasteners::TABLES, loads::TABLES, failure::TABLES];
     let own = own.into_iter().flatten().copied();
     own.chain(shape::tables())
         .chain(others.into_iter().flatten().copied())

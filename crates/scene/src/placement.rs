@@ -1,11 +1,11 @@
 //! Where round bodies stand: each in the hole that holds it.
 //!
 //! ```text
-//! centre(second) = centre(first) + c_first − c_second + (max(R_first − R_second, 0), 0)
+//! centre(second) = centre(first) + c_first − c_second + (max(c, 0), 0),     c = R_first − R_second
 //! ```
 //!
 //! c are the centres of the circles, each seen from that of its body. A body that no hole holds stands at its own position. One with clearance starts where it touches at θ = 0, one with
-//! interference concentric with what holds it.
+//! interference concentric with what holds it. All slices of a fastener start at the smallest c among them, so that they have one axis.
 
 use stickslip_fem_core::mesh::Point;
 
@@ -28,8 +28,19 @@ pub fn holder<'a>(scene: &'a Scene, body: &str) -> Option<&'a Contact> {
 }
 
 /// Centre of the second circle of a round contact, seen from that of the first `[mm]`.
-pub fn offset([first, second]: [f64; 2]) -> Point {
-    [(first - second).max(0.0), 0.0]
+pub fn offset(scene: &Scene, contact: &Contact) -> Point {
+    let own = &contact.second.body;
+    let fastener = (scene.fasteners.iter()).find(|fastener| fastener.slices.contains(own));
+    let beside = |other: &&Contact| match fastener {
+        Some(fastener) => fastener.slices.contains(&other.second.body),
+        None => other.name == contact.name,
+    };
+    let clearances = scene.contacts.iter().filter(beside);
+    let clearances = clearances.filter_map(|other| radii(scene, other));
+    let least = clearances
+        .map(|[hole, inner]| hole - inner)
+        .reduce(f64::min);
+    [least.unwrap_or_default().max(0.0), 0.0]
 }
 
 /// Centre of `body` `[mm]`.
@@ -40,7 +51,7 @@ pub fn centre(scene: &Scene, body: &str) -> Point {
         let Some(contact) = holder(scene, inner) else {
             break;
         };
-        let aside = radii(scene, contact).map_or([0.0; 2], offset);
+        let aside = offset(scene, contact);
         let [hole, own] =
             [&contact.first, &contact.second].map(|on| within(scene, &on.body, &on.set));
         sum = [0, 1].map(|axis| sum[axis] + (hole[axis] - own[axis] + aside[axis]));

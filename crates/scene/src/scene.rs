@@ -10,8 +10,8 @@ use crate::document::{Document, Part};
 use crate::host::Host;
 use crate::limits::Limits;
 use crate::schema::{
-    Analysis, Body, Contact, DisplayUnits, Failure, KinematicsChoice, Load, Material, MeshSettings,
-    Output, Platen, SetRef, Support,
+    Analysis, Body, Contact, DisplayUnits, Failure, Fastener, KinematicsChoice, Load, Material,
+    MeshSettings, Output, Platen, SetRef, Support,
 };
 
 /// Version of the scene format that this program reads.
@@ -38,6 +38,8 @@ pub struct Scene {
     pub is_divided: bool,
     /// Pairs of edges that may touch.
     pub contacts: Vec<Contact>,
+    /// Fasteners through several plates, in the order of their names.
+    pub fasteners: Vec<Fastener>,
     /// Nodes with given displacements.
     pub supports: Vec<Support>,
     /// Rigid plates glued to edges.
@@ -100,7 +102,9 @@ impl Scene {
 
     /// On which geometry contact is found; left to the program where the division of bodies is, and the undeformed one otherwise.
     pub fn kinematics(&self) -> KinematicsChoice {
-        let is_free = !self.is_divided_anywhere() && self.analysis.contact_nodes.is_none();
+        let is_free = !self.is_divided_anywhere()
+            && self.analysis.contact_nodes.is_none()
+            && self.fasteners.is_empty();
         let default = if is_free {
             KinematicsChoice::Auto
         } else {

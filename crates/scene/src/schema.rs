@@ -7,6 +7,7 @@ mod analysis;
 mod bearing;
 mod demand;
 mod failure;
+mod fastener;
 mod progressive;
 
 use std::f64::consts::PI;
@@ -25,6 +26,7 @@ pub use analysis::{Analysis, ComplianceChoice, KinematicsChoice, ModelChoice, Ra
 pub use bearing::BearingLaw;
 pub use demand::{Accuracy, Bounds, Budget, RelativeError};
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
+pub use fastener::{Fastener, Springs};
 pub use progressive::{Control, Progressive, ProgressiveModel};
 
 /// Units that results are shown in.

@@ -26,11 +26,7 @@ impl Carry<'_> {
         let whole = self.whole;
         let contacts = own.contacts_of(self.thinned.interface.contacts());
         let amounts: Vec<Vec<f64>> = (0..self.thinned.bodies.len())
-            .map(|body| {
-                self.thinned
-                    .interface
-                    .motions_of_body(body, &own.state.rigid)
-            })
+            .map(|body| self.thinned.interface.motions_of_body(body, &own.state))
             .collect();
         let on_bodies = self.forces(own);
         let bodies = whole.bodies.iter().zip(&on_bodies).zip(&amounts);
@@ -173,7 +169,7 @@ impl Carry<'_> {
     pub(super) fn start(&self, before: &StepRecord, moved: &[DVector<f64>]) -> Vec<StepRecord> {
         let whole = self.whole;
         let amounts: Vec<Vec<f64>> = (0..whole.bodies.len())
-            .map(|body| whole.interface.motions_of_body(body, &before.state.rigid))
+            .map(|body| whole.interface.motions_of_body(body, &before.state))
             .collect();
         let means: Vec<DVector<f64>> = (self.thinned.bodies.iter().zip(moved))
             .map(|(body, moved)| body.mean(moved))

@@ -73,7 +73,12 @@ fn check_stress(
     let (problem, record) = made;
     let count = body.points().len();
     let forces = problem.forces_on_body(index, count, &record.state.forces);
-    let motions = problem.motions_of_body(index, &record.state.rigid);
+    let motions = problem.motions_of_body(
+        index,
+        &record.state.rigid,
+        &record.state.forces,
+        &record.state.multipliers,
+    );
     stress_error(body, &body.displacements(&forces, &[1.0], &motions), stress)
 }
 

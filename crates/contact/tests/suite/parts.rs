@@ -109,7 +109,7 @@ fn bodies_that_give_or_move_link_their_contacts() {
     let links = [true, true, false, true, true, true, true];
     let pairs = [[0, 2], [2, 1], [3, 5], [5, 4]];
     assert_eq!(
-        groups(&links, &pairs),
+        groups(&links, &pairs, &[]),
         [
             group(&[0, 2], &[0]),
             group(&[1, 2], &[1]),
@@ -117,7 +117,7 @@ fn bodies_that_give_or_move_link_their_contacts() {
             group(&[6], &[]),
         ]
     );
-    assert_eq!(groups(&[false; 2], &[[0, 1]]), [group(&[0, 1], &[0])]);
+    assert_eq!(groups(&[false; 2], &[[0, 1]], &[]), [group(&[0, 1], &[0])]);
 }
 
 #[test]

@@ -84,6 +84,7 @@ impl Contacts {
         let ContactPlan {
             of: contact,
             sides: [first, second],
+            offset: _,
         } = planned;
         if plan.is_rigid(first.body) {
             let what = format!(

@@ -60,11 +60,18 @@ pub(super) fn obstacle(plan: &Plan<'_>) -> Option<String> {
             None => "the shapes have no common line of symmetry".into(),
         });
     };
-    of_materials(plan)
+    of_fasteners(plan)
+        .or_else(|| of_materials(plan))
         .or_else(|| of_supports(plan, across))
         .or_else(|| of_edges(plan, across))
         .or_else(|| plan.loads.iter().find_map(|load| of_load(load, across)))
         .or_else(|| plan.contacts.iter().find_map(|own| of_law(plan, own)))
+}
+
+fn of_fasteners(plan: &Plan<'_>) -> Option<String> {
+    let first = plan.fasteners.first()?;
+    let name = &first.of.name;
+    Some(format!("fastener '{name}' couples whole slices"))
 }
 
 fn of_materials(plan: &Plan<'_>) -> Option<String> {

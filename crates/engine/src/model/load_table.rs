@@ -45,7 +45,10 @@ impl LoadTable {
         let plan = Plan::of(scene);
         let held = |body: usize| plan.is_rigid(body) && plan.free_axes(body) == [false; 2];
         let links: Vec<bool> = (0..plan.bodies.len()).map(|body| !held(body)).collect();
-        let mut groups = groups(&links, &plan.pairs()).into_iter();
+        let together: Vec<&[usize]> = (plan.fasteners.iter())
+            .map(|fastener| fastener.slices.as_slice())
+            .collect();
+        let mut groups = groups(&links, &plan.pairs(), &together).into_iter();
         let linked = groups.find(|group| group.pairs.contains(&contact));
         let bodies = linked.map_or_else(Vec::new, |group| group.bodies);
         let mut table = Self::of_plan(&plan, scene.display);

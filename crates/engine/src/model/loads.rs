@@ -89,6 +89,11 @@ impl Loaded<'_> {
         if let Some(hold) = self.section() {
             body = body.with_section_hold(hold);
         }
+        if self.plan.fastener_of(self.index).is_some()
+            && let Some(radius) = self.plan.bodies[self.index].radius()
+        {
+            body = body.with_carried_section(radius);
+        }
         let cases = self.load_cases().map_err(mesh_error)?;
         body.with_load_cases(cases).map_err(body_error)
     }

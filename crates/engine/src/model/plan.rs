@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_scene::schema::{
-    self, Analysis, Contact, Division, Hold, KinematicsChoice, Load, LoadKind, MeshSettings,
-    Platen, SetRef, Substance, Support,
+    self, Analysis, Contact, Division, Fastener, Hold, KinematicsChoice, Load, LoadKind,
+    MeshSettings, Platen, SetRef, Substance, Support,
 };
-use stickslip_scene::shape::{Edge, Shape};
+use stickslip_scene::shape::{Edge, Role, Shape};
 use stickslip_scene::{Scene, placement};
 
 use crate::series::SeriesBody;
@@ -21,6 +21,7 @@ pub(super) struct Plan<'a> {
     pub(super) is_divided: bool,
     pub(super) bodies: Vec<BodyPlan<'a>>,
     pub(super) contacts: Vec<ContactPlan<'a>>,
+    pub(super) fasteners: Vec<FastenerPlan<'a>>,
     pub(super) supports: Vec<Placed<'a, Support>>,
     pub(super) platens: Vec<Placed<'a, Platen>>,
     pub(super) loads: Vec<Placed<'a, Load>>,
@@ -122,6 +123,15 @@ pub(super) struct Placed<'a, T> {
 pub(super) struct ContactPlan<'a> {
     pub(super) of: &'a Contact,
     pub(super) sides: [Placed<'a, SetRef>; 2],
+    /// Centre of the second circle of a round contact, seen from that of the first `[mm]`.
+    pub(super) offset: Point,
+}
+
+/// A fastener.
+pub(super) struct FastenerPlan<'a> {
+    pub(super) of: &'a Fastener,
+    /// Indices of its slices, in the order of the layers.
+    pub(super) slices: Vec<usize>,
 }
 
 impl<'a> Plan<'a> {
@@ -133,6 +143,15 @@ impl<'a> Plan<'a> {
         let contact = |of: &'a Contact| ContactPlan {
             of,
             sides: [&of.first, &of.second].map(|on| names.placed(on, on)),
+            offset: placement::offset(scene, of),
+        };
+        let fastener = |of: &'a Fastener| FastenerPlan {
+            of,
+            slices: of
+                .slices
+                .iter()
+                .map(|name| names.numbers[name.as_str()])
+                .collect(),
         };
         let load = |of: &'a Load| match &of.kind {
             LoadKind::Force { on, .. }
@@ -151,6 +170,7 @@ impl<'a> Plan<'a> {
             is_divided: scene.is_divided_anywhere(),
             bodies: scene.bodies.keys().map(|name| names.body(name)).collect(),
             contacts: scene.contacts.iter().map(contact).collect(),
+            fasteners: scene.fasteners.iter().map(fastener).collect(),
             supports: supports.map(|of| names.placed(&of.on, of)).collect(),
             platens: platens.map(|of| names.placed(&of.on, of)).collect(),
             loads: scene.loads.iter().map(load).collect(),
@@ -211,7 +231,12 @@ impl<'a> Plan<'a> {
 
     /// The bodies that contact links to `body`, and itself.
     pub(super) fn linked(&self, body: usize) -> BTreeSet<usize> {
-        let pairs = self.pairs();
+        let slices = self
+            .fasteners
+            .iter()
+            .flat_map(|fastener| fastener.slices.windows(2));
+        let mut pairs = self.pairs();
+        pairs.extend(slices.map(|pair| [pair[0], pair[1]]));
         let mut linked = BTreeSet::from([body]);
         let mut count = 0;
         while count < linked.len() {
@@ -223,6 +248,12 @@ impl<'a> Plan<'a> {
             }
         }
         linked
+    }
+
+    /// The fastener of which a body is a slice.
+    pub(super) fn fastener_of(&self, body: usize) -> Option<&FastenerPlan<'a>> {
+        let mut fasteners = self.fasteners.iter();
+        fasteners.find(|fastener| fastener.slices.contains(&body))
     }
 
     /// The indices of the two bodies of every contact.
@@ -251,6 +282,11 @@ impl BodyPlan<'_> {
     /// Thickness `[mm]`; 1 for a rigid body.
     pub(super) fn thickness(&self) -> f64 {
         self.elastic.map_or(1.0, |elastic| elastic.thickness)
+    }
+
+    /// Radius `[mm]` of its rim, of a disk.
+    pub(super) fn radius(&self) -> Option<f64> {
+        self.shape.edge_with(Role::Rim)?.circle()
     }
 
     /// Material angle `[rad]`.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use stickslip_contact::interface::{Group, groups};
 use stickslip_fem_core::InterfaceOperator;
 
-use super::{Model, ModelBody, ModelBodyKind, ModelError};
+use super::{Model, ModelBody, ModelBodyKind, ModelError, ModelFastener};
 use stickslip_scene::limits::Limits;
 
 /// Bytes of a number.
@@ -100,5 +100,8 @@ pub(crate) fn parts(model: &Model) -> Vec<Group> {
     let ends: Vec<[usize; 2]> = (model.pairs.iter())
         .map(|pair| [pair.first, pair.second])
         .collect();
-    groups(&links, &ends)
+    let together: Vec<&[usize]> = (model.fasteners.iter())
+        .map(ModelFastener::slices)
+        .collect();
+    groups(&links, &ends, &together)
 }

@@ -130,6 +130,11 @@ pub enum Finding {
         /// Load steps with such stresses.
         steps: Vec<usize>,
     },
+    /// Forces on fasteners have a moment out of the plane.
+    EccentricLayers {
+        /// The fasteners.
+        fasteners: Vec<String>,
+    },
     /// The accuracy that is asked for is not reached.
     AccuracyMissed {
         /// The number whose error is farthest beyond it.

@@ -212,7 +212,8 @@ fn recover_series(
 ) {
     for (record, step) in solved.records.iter().zip(all) {
         let forces = solved.forces_on_body(record, index);
-        step.balance[index] = audits.then(|| body.balance(&forces, record));
+        let is_carried = model.fastener_of(index).is_some();
+        step.balance[index] = audits.then(|| body.balance(&forces, record, is_carried));
         step.dropped = true;
         if audits {
             let own = (index, body, step.motions[index].as_slice());
@@ -273,7 +274,7 @@ fn forces_on(solved: &Solved, records: &[StepRecord], index: usize) -> Vec<Vec<f
 
 /// Amounts of the rigid motions of each body at the end of a load step.
 fn motions(solved: &Solved, record: &StepRecord) -> Vec<Vec<f64>> {
-    let of_body = |body| solved.interface.motions_of_body(body, &record.state.rigid);
+    let of_body = |body| solved.interface.motions_of_body(body, &record.state);
     (0..solved.operators.len()).map(of_body).collect()
 }
 

@@ -28,6 +28,7 @@ pub struct ElasticBody {
     pub(super) supports: Vec<Support>,
     pub(super) platen: Option<Platen>,
     pub(super) section: Option<SectionHold>,
+    pub(super) carried: Option<f64>,
     pub(super) cases: Vec<LoadCase>,
 }
 
@@ -58,6 +59,7 @@ impl ElasticBody {
             supports: Vec::new(),
             platen: None,
             section: None,
+            carried: None,
             cases: Vec::new(),
         })
     }
@@ -81,6 +83,20 @@ impl ElasticBody {
     pub fn with_section_hold(mut self, hold: SectionHold) -> Self {
         self.section = Some(hold);
         self
+    }
+
+    /// Makes the mean displacement over the area and its mean turn, times `length` `[length]`, the amounts of the body's rigid motions, and spreads
+    /// the forces in them evenly over the area, as those of a fastener on one of its slices. For a body without supports and without
+    /// [`SectionHold`].
+    #[must_use]
+    pub fn with_carried_section(mut self, length: f64) -> Self {
+        self.carried = Some(length);
+        self
+    }
+
+    /// Whether the mean displacement over the area is held, or carries the body.
+    pub fn has_section(&self) -> bool {
+        self.section.is_some() || self.carried.is_some()
     }
 
     /// What holds the mean displacement over the area.

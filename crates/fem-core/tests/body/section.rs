@@ -211,3 +211,74 @@ fn a_section_that_supports_hold_already_is_refused() {
         "{refused:?}"
     );
 }
+
+/// A body without supports moves by its means, under whatever forces: what does not balance among them is spread over its area.
+#[test]
+fn a_carried_section_moves_by_its_means() {
+    const LENGTH: f64 = 0.7;
+    let mesh = Arc::new(scattered(ElementKind::Q8, Distortion::Curved, 43));
+    let interface = side_nodes(&mesh, &["top", "right"]);
+    let case = LoadCase {
+        forces: Noise::new(61).vector(2 * mesh.nodes().len()),
+        ..LoadCase::default()
+    };
+    let body = ElasticBody::new(Arc::clone(&mesh), vec![ply(0.3)], THICKNESS).unwrap();
+    let body = body.with_load_cases(vec![case]).unwrap();
+    let condensed = Arc::new(body.with_carried_section(LENGTH))
+        .condense(&interface)
+        .unwrap();
+    let compliance = condensed.compliance().unwrap();
+    let skew = (compliance - compliance.transpose()).amax();
+    assert!(skew < 1e-12 * compliance.amax(), "{skew:e}");
+    let lambda = Noise::new(67).vector(2 * interface.len());
+    let (multipliers, motions) = ([0.8], [0.3, -0.2, 0.1]);
+    let state = BodyLoad {
+        forces: &lambda,
+        multipliers: &multipliers,
+        motions: &motions,
+    };
+    let u = condensed.displacements_of(&[state]).remove(0);
+    let weighted = |weights: &[f64], axis: usize| -> f64 {
+        let own = u.iter().skip(axis).step_by(2).zip(weights);
+        own.map(|(u, weight)| u * weight).sum()
+    };
+    let ones = load::area_load(&mesh);
+    let area: f64 = ones.iter().sum();
+    let middle = [0, 1].map(|axis| {
+        load::area_integral(&mesh, |at| at[axis])
+            .iter()
+            .sum::<f64>()
+            / area
+    });
+    let arm = |axis: usize| load::area_integral(&mesh, |at| at[axis] - middle[axis]);
+    let polar = load::area_integral(&mesh, |[x, y]| {
+        (x - middle[0]).powi(2) + (y - middle[1]).powi(2)
+    });
+    let turned = weighted(&arm(0), 1) - weighted(&arm(1), 0);
+    let found = [
+        weighted(&ones, 0) / area,
+        weighted(&ones, 1) / area,
+        LENGTH * turned / polar.iter().sum::<f64>(),
+    ];
+    let size = largest(&u);
+    for (found, wanted) in found.iter().zip(motions) {
+        assert!((found - wanted).abs() < 1e-11 * size, "{found} {wanted}");
+    }
+    let at_points = InterfaceOperator::displacements(&condensed, &lambda, &motions, &multipliers);
+    for (k, &node) in interface.iter().enumerate() {
+        assert!((at_points[2 * k] - u[2 * node]).abs() < 1e-10 * size);
+        assert!((at_points[2 * k + 1] - u[2 * node + 1]).abs() < 1e-10 * size);
+    }
+    let residuals = condensed.residual_forces_of(std::slice::from_ref(&u), &[state]);
+    let balance = condensed.balances_of(&residuals, &[state])[0];
+    assert!(
+        balance.nodal < 1e-10 && balance.force < 1e-12 && balance.moment < 1e-12,
+        "{balance:?}"
+    );
+    // The forces on it in its motions are what carries it.
+    let pushed = condensed.modes().tr_mul(&DVector::from_vec(lambda.clone()))
+        + condensed.mode_load(0) * multipliers[0];
+    for axis in 0..2 {
+        assert!((pushed[axis] + balance.reaction[axis]).abs() < 1e-10 * pushed.amax());
+    }
+}

@@ -74,7 +74,8 @@ impl<'a> Solving<'a> {
     ) -> Vec<Vec<f64>> {
         let moved = |(index, body): (usize, &JointBody)| {
             let forces = problem.forces_on_body(index, body.contact_points(), &trial.forces);
-            let motions = problem.motions_of_body(index, &trial.rigid);
+            let motions =
+                problem.motions_of_body(index, &trial.rigid, &trial.forces, self.multipliers);
             match (body, &operators[index]) {
                 (_, Operator::Linearised(body)) => {
                     body.displacements(&forces, self.multipliers, &motions)

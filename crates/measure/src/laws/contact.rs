@@ -65,7 +65,8 @@ impl ContactModel {
         let operators = condense(&model)?;
         let faces: Vec<&dyn InterfaceOperator> =
             operators.iter().map(Operator::interface).collect();
-        let problem = InterfaceProblem::new(&faces, model.pairs.clone()).map_err(RunError::from)?;
+        let problem = InterfaceProblem::linked(&faces, model.pairs.clone(), &model.links())
+            .map_err(RunError::from)?;
         let rigid = || LawsError::Rigid {
             body: own.body.clone(),
         };
@@ -243,7 +244,12 @@ impl View<'_> {
         let count = model.specimen.interface_nodes().len();
         let mut action = problem.forces_on_body(model.body, count, &state.forces);
         action.extend(&state.multipliers);
-        action.extend(problem.motions_of_body(model.body, &state.rigid));
+        action.extend(problem.motions_of_body(
+            model.body,
+            &state.rigid,
+            &state.forces,
+            &state.multipliers,
+        ));
         &self.rows * DVector::from_vec(action)
     }
 

@@ -14,6 +14,13 @@ pub(super) fn check(results: &Results) -> Result<(), OutputError> {
     for (number, step) in (1..).zip(&results.steps) {
         of_step(results, number, step)?;
     }
+    for fastener in &results.fasteners {
+        let bodies: Vec<usize> = (fastener.layers.iter())
+            .flat_map(|layer| [layer.slice, layer.plate])
+            .collect();
+        let of = || format!("fastener '{}': bodies", fastener.name);
+        all_below(&bodies, results.bodies.len(), of)?;
+    }
     let loads = results.steps.first().map_or(0, |step| step.loads.len());
     for part in &results.parts {
         let what = |list: &str| format!("a part: {list}");
@@ -61,6 +68,15 @@ fn of_step(results: &Results, number: usize, step: &StepResults) -> Result<(), O
     same(step.edges.len(), results.edges.len(), || {
         format!("step {number}: edges")
     })?;
+    let fasteners = step.fasteners.len();
+    same(fasteners, results.fasteners.len(), || {
+        format!("step {number}: fasteners")
+    })?;
+    for (own, fastener) in step.fasteners.iter().zip(&results.fasteners) {
+        same(own.layers.len(), fastener.layers.len(), || {
+            format!("step {number}, fastener '{}': layers", fastener.name)
+        })?;
+    }
     let loads = results.steps[0].loads.len();
     same(step.loads.len(), loads, || format!("step {number}: loads"))?;
     same(step.sets.len(), results.sets.len(), || {

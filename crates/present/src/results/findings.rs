@@ -79,6 +79,11 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section.",
             numbers(steps)
         ),
+        Finding::EccentricLayers { fasteners } => format!(
+            "Plates pull at {} at different heights: the moment of these forces would bend plates and fasteners out of the plane, as in every single \
+             lap. It is stated as tilting moment and resisted by nothing here, so pressure is even across each plate and no plate gives by bending.",
+            quoted(fasteners)
+        ),
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, end),
         Finding::ContactParts { steps } => format!(
             "In an increment of load step {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \

@@ -8,6 +8,7 @@ use super::FileNote;
 use super::display::EdgeView;
 use super::display::shared;
 use super::failure::{self, FailureView};
+use super::fasteners;
 use super::figures::{Drawing, Group, sides};
 use super::findings;
 use super::problem;
@@ -289,11 +290,12 @@ fn steps_section(results: &Results) -> Result<Section, PageError> {
     let sides = sides.iter().filter_map(sides::table);
     section = sides.fold(section, Section::with);
     let stresses = stresses::table(results).map(|table| table.note(stresses::NOTE));
-    let further = sharing::tables(results)
-        .into_iter()
-        .chain(sets::tables(results));
-    let further = further.chain(sets::reactions(results)).chain(stresses);
-    section = further.fold(section, Section::with);
+    let further = sharing::tables(results).into_iter();
+    let further = further.chain(fasteners::tables(results));
+    let further = further
+        .chain(sets::tables(results))
+        .chain(sets::reactions(results));
+    section = further.chain(stresses).fold(section, Section::with);
     if results.steps.len() > 1 {
         let text = single_steps(results).map(Block::Text);
         section = text.into_iter().fold(section, Section::with);

@@ -24,6 +24,7 @@ pub(super) fn section(results: &Results, sketches: Vec<Drawing>) -> Option<Secti
             "contact | first | second | friction",
             &["name", "first", "second", "friction"],
         ),
+        named(&scene, "fasteners", "Fasteners", "fastener | keys"),
         listed(&scene, "supports", "Supports", "on", &["on"]),
         listed(&scene, "platens", "Platens", "on", &["on"]),
         listed(&scene, "loads", "Loads", "load | on", &["name", "on"]),

@@ -9,6 +9,7 @@ use stickslip_contact::history::Difference;
 
 use super::display::{EdgeView, energy, energy_unit};
 use super::failure::{self, FailureView};
+use super::fasteners;
 use super::findings;
 use super::quantities::SummaryQuantities;
 use super::quantity::{Quantity, Vector};
@@ -70,6 +71,7 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
         accuracy: results.ladder.as_ref().map(sought),
         edge: EdgeView::main(results).map(|edge| edge.geometry.name.as_str()),
         edges: EdgeView::all(results).iter().map(edge).collect(),
+        fasteners: fasteners::entries(results),
         steps: steps(results),
         failure: FailureView::all(results)
             .iter()
@@ -213,6 +215,9 @@ fn step_entry<'a>(
             .collect(),
         sets: sets::entries(results, index),
         stresses: stresses::entries(results, index),
+        fasteners: (results.fasteners.iter().zip(&step.fasteners))
+            .map(|(own, step)| (own.name.as_str(), fasteners::step_entry(step, units)))
+            .collect(),
         iterations: step.work.solves,
         pivots: step.work.pivots,
         solvers: &step.solvers,

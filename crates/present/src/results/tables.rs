@@ -12,6 +12,7 @@ use stickslip_report::table::{Columns, Table};
 use super::display::shared;
 use super::display::{EdgeView, even};
 use super::failure::{self, FailureView};
+use super::fasteners;
 use super::progressive::{self, ProgressiveView};
 use super::quantities::table_columns;
 use super::sets;
@@ -40,6 +41,7 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
     }
     for table in sharing::tables(results)
         .into_iter()
+        .chain(fasteners::tables(results))
         .chain(sets::tables(results))
     {
         text += &fitted(table, width);

@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use serde_json::Value;
+
 use super::{Builder, Fits};
 use crate::diagnostic::SceneProblem;
 use crate::document::Part;
 use crate::format::{PlatenFormat, SceneFormat, SupportFormat};
-use crate::schema::{Axes, Axis, Contact, Hold, Platen, SetRef, Support};
+use crate::schema::{Axes, Axis, Contact, Fastener, Hold, Platen, SetRef, Support};
 use crate::units::{Angle, Quantity};
 
 fn axes(list: &[Axis]) -> Axes {
@@ -123,30 +125,46 @@ impl Builder<'_> {
         platens
     }
 
-    /// Bodies that touch, directly or through others, form a group; each group needs something that holds it.
+    /// Bodies that touch or are slices of one fastener, directly or through others, form a group; each group needs something that holds it.
     pub(super) fn everything_is_held(
         &mut self,
         contacts: &[Contact],
+        fasteners: &[Fastener],
         supports: &[Support],
         platens: &[Platen],
     ) {
+        let joined = self.document.get("fasteners").and_then(Value::as_object);
+        if joined.map_or(0, serde_json::Map::len) != fasteners.len() {
+            return;
+        }
+        let slices = fasteners
+            .iter()
+            .flat_map(|fastener| fastener.slices.windows(2));
+        let slices = slices.map(|pair| [pair[0].as_str(), pair[1].as_str()]);
         let Some(Some(pairs)) = self.document.get("contacts").map(|list| list.as_array()) else {
-            return self.groups_are_held(&[], supports, platens);
+            return self.groups_are_held(slices, supports, platens);
         };
         // A contact or support that could not be read has been reported; what it holds is not known.
         let complete = pairs.len() == contacts.len()
             && self.written("supports") == supports.len()
             && self.written("platens") == platens.len();
         if complete {
-            self.groups_are_held(contacts, supports, platens);
+            let touching = contacts.iter();
+            let touching = touching.map(|own| [own.first.body.as_str(), own.second.body.as_str()]);
+            self.groups_are_held(touching.chain(slices), supports, platens);
         }
     }
 
-    fn groups_are_held(&mut self, contacts: &[Contact], supports: &[Support], platens: &[Platen]) {
+    fn groups_are_held<'b>(
+        &mut self,
+        pairs: impl IntoIterator<Item = [&'b str; 2]>,
+        supports: &[Support],
+        platens: &[Platen],
+    ) {
         let mut group: BTreeMap<String, usize> = self.bodies.keys().cloned().zip(0..).collect();
         // Every set has been looked up among the bodies, so its body has a group.
-        for contact in contacts {
-            let (own, other) = (group[&contact.first.body], group[&contact.second.body]);
+        for [one, other] in pairs {
+            let (own, other) = (group[one], group[other]);
             group
                 .values_mut()
                 .filter(|id| **id == other)

@@ -69,7 +69,9 @@ rows! {
     temperature = Kind::Quantity(&[Dimension::Temperature]);
     expansion = Kind::Quantity(&[Dimension::PerTemperature]);
     energy = Kind::Quantity(&[Dimension::FractureEnergy]);
+    force = Kind::Quantity(&[Dimension::Force]);
     angles = Kind::List(Dimension::Angle);
+    lengths = Kind::List(Dimension::Length);
     forces = Kind::List(Dimension::Force);
     stresses = Kind::List(Dimension::Stress);
     temperatures = Kind::List(Dimension::Temperature);

@@ -21,6 +21,7 @@ pub(super) const TABLES: &[Table] = &[
         tables_of("bodies", REQUIRED, "bodies by name, at least one"),
         table("mesh", "chosen by the accuracy", "how finely the bodies are divided"),
         lists("contacts", NONE, "edges that may touch"),
+        tables_of("fasteners", NONE, "fasteners through several plates by name"),
         lists("supports", NONE, "given displacements"),
         lists("platens", NONE, "rigid plates glued to edges"),
         lists("loads", NONE, "loads and their history"),

@@ -172,7 +172,7 @@ impl Edge {
         let load = BodyLoad {
             forces: &forces,
             multipliers: &state.multipliers,
-            motions: &problem.motions_of_body(0, &state.rigid),
+            motions: &problem.motions_of_body(0, &state.rigid, &state.forces, &state.multipliers),
         };
         let field = plate.field(&load).unwrap();
         let areas = nodes.weights();

@@ -64,6 +64,8 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     for platen in scene.platens.iter().filter(|platen| platen.on.body == name) {
         let _ = write!(text, " {platen:?}");
     }
+    let mut slices = scene.fasteners.iter().flat_map(|own| &own.slices);
+    let _ = write!(text, " {}", slices.any(|slice| slice == name));
     // The number of load cases counts, and which of them act here.
     for load in &scene.loads {
         let _ = write!(text, " {}", acting(&load.kind, name));
@@ -81,8 +83,8 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
 /// What a model depends on beside friction laws and the sizes of loads; of the laws, whether they mirror.
 pub(super) fn model_key(scene: &Scene) -> String {
     let mut text = format!(
-        "{:?} {:?} {:?} {:?}",
-        scene.analysis, scene.supports, scene.platens, scene.edges
+        "{:?} {:?} {:?} {:?} {:?}",
+        scene.analysis, scene.supports, scene.platens, scene.edges, scene.fasteners
     );
     // A law that does not mirror needs a whole model where another law needs half of it. Writing into a string does not fail.
     let _ = write!(text, "{:?}", obstacle_to_half(scene));

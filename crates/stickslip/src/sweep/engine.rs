@@ -13,7 +13,6 @@ use std::sync::{Mutex, PoisonError};
 use rayon::ThreadPool;
 
 use crate::host::HOST;
-use stickslip_contact::Interface;
 use stickslip_fem_core::InterfaceOperator;
 
 use super::queue::Queue;
@@ -194,8 +193,7 @@ impl<'a> Shop<'a> {
         let operators = self.operators(case, scene, &model)?;
         let faces: Vec<&dyn InterfaceOperator> =
             operators.iter().map(Operator::interface).collect();
-        let interface =
-            Interface::new(&faces, model.pairs.clone()).map_err(|error| error.to_string())?;
+        let interface = model.interface(&faces).map_err(|error| error.to_string())?;
         drop(faces);
         let solver = solver(scene.analysis.solver);
         let solved = follow(&model, operators, interface, solver.as_ref(), &mut |_| {})

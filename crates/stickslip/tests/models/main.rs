@@ -10,6 +10,7 @@ mod frames;
 mod half_plane;
 mod halves;
 mod ladder;
+mod layers;
 mod mortar;
 mod open;
 mod outline;

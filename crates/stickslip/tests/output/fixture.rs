@@ -69,6 +69,7 @@ pub(crate) fn results() -> Results {
         edges,
         sets: Vec::new(),
         parts: Vec::new(),
+        fasteners: Vec::new(),
         steps,
         failure: Vec::new(),
         phases: vec![("mesh", 0.25), ("contact", 0.5)],
@@ -192,6 +193,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         unloading,
         edges: edges.iter().map(|edge| edge_step(edge, index)).collect(),
         sets: Vec::new(),
+        fasteners: Vec::new(),
         work: Work {
             solves: 3 + index,
             ..Work::default()

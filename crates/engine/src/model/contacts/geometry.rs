@@ -6,7 +6,6 @@ use stickslip_fem_core::mesh::Point;
 
 use super::open::OpenPair;
 use crate::model::plan::{ContactPlan, Plan};
-use stickslip_scene::placement;
 use stickslip_scene::schema::GapKind;
 use stickslip_scene::shape::Touch;
 
@@ -29,11 +28,11 @@ impl Geometry {
         let touch = first.edge.as_ref()?.touches(second.edge.as_ref()?)?;
         Some(match touch {
             Touch::Circles {
-                radii: radii @ [radius, inner],
+                radii: [radius, inner],
             } => Self::Circles {
                 radius,
                 clearance: radius - inner,
-                offset: placement::offset(radii),
+                offset: contact.offset,
             },
             Touch::Cylinder { radius } => Self::Cylinder { radius },
             Touch::Open => Self::Open(OpenPair::of(plan, contact)?),

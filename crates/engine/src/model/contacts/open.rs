@@ -112,7 +112,9 @@ impl OpenPair {
         is_rigid: bool,
         length: &Unit,
     ) -> Result<(EdgeNodes, Option<EdgeNodes>), ModelError> {
-        let ContactPlan { of: contact, sides } = planned;
+        let ContactPlan {
+            of: contact, sides, ..
+        } = planned;
         let [first, second] = [&contact.first, &contact.second];
         let refused = |what: String| ModelError::Pairing {
             contact: contact.name.clone(),

@@ -102,7 +102,9 @@ impl Given<'_> {
         };
         let mut displacement = [0.0; 2];
         let mut held = [false; 2];
-        let mut anchor = None;
+        // The springs of a fastener act evenly over the area of its slices.
+        let is_slice = self.plan.fastener_of(self.index).is_some();
+        let mut anchor = is_slice.then_some(Anchor::Area);
         let shape = self.plan.bodies[self.index].shape;
         let supports = self.plan.supports.iter();
         for support in supports.filter(|support| support.body == self.index) {

@@ -428,7 +428,7 @@ fn reassemble(
     });
     let operators: Vec<Operator> = renewed.collect();
     let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
-    let interface = Interface::new(&faces, model.pairs.clone())?;
+    let interface = model.interface(&faces)?;
     drop(faces);
     Ok((operators, interface))
 }

@@ -10,13 +10,21 @@
 //! u' = u_k − U Eᵀ r_k + Q (d − bᵀ u_s − x_bᵀ f_k + M Eᵀ r_k),    r' = Nᵀ r_k
 //! ```
 //!
+//! A carried section has three columns, ū_x, ū_y and the mean turn ω̄ times a length. Its means are no given numbers but the amounts of the rigid
+//! motions, N = E, and ρ is what carries the body,
+//!
+//! ```text
+//! bᵀ u = (ū_x, ū_y, L ω̄),     A ū = ∫ u dA,     J ω̄ = ∫ (r × u) dA,     J = ∫ r² dA,   r from the centroid
+//! ```
+//!
 //! u_s are the displacements that moving supports prescribe, d and u_s only in the load case that moves them; ρ is the reaction; b, x_b and α are in the gauge in which the body without the hold was condensed.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::{Compliance, CondensedBody};
 use crate::body::error::BodyError;
-use crate::load::area_load;
+use crate::load::area_integral;
+use crate::mesh::Mesh;
 use crate::support::SectionHold;
 
 /// Part of its size below which a direction of motion is none. Means of rigid motions, which are about 1 on the body, are numbers without a unit.
@@ -46,20 +54,29 @@ impl Section {
     ///
     /// # Errors
     /// [`BodyError::SectionHeld`] where supports leave it nothing to hold.
-    pub(super) fn new(body: &CondensedBody, hold: &SectionHold) -> Result<Self, BodyError> {
-        let mesh = &body.body.mesh;
-        let weights = area_load(mesh);
-        let area: f64 = weights.iter().sum();
+    fn held(body: &CondensedBody, hold: &SectionHold) -> Result<Self, BodyError> {
         let axes: Vec<usize> = (0..2).filter(|&axis| hold.held[axis]).collect();
-        let nodal: Vec<Vec<f64>> = (axes.iter())
-            .map(|&axis| {
-                let mut forces = vec![0.0; 2 * weights.len()];
-                let own = forces.iter_mut().skip(axis).step_by(2);
-                own.zip(&weights)
-                    .for_each(|(force, weight)| *force = weight / area);
-                forces
-            })
-            .collect();
+        let means = means(&body.body.mesh);
+        let nodal = axes.iter().map(|&axis| means[axis].clone()).collect();
+        let given = axes.iter().map(|&axis| hold.displacement[axis]).collect();
+        Self::of(body, nodal, given)
+    }
+
+    /// The section that carries `body`, with turns times `length`.
+    ///
+    /// # Errors
+    /// [`BodyError::SectionHeld`] for a body with supports.
+    fn carried(body: &CondensedBody, length: f64) -> Result<Self, BodyError> {
+        let mesh = &body.body.mesh;
+        let [x, y] = means(mesh);
+        let nodal = vec![x, y, turn(mesh, length)];
+        let own = Self::of(body, nodal, vec![0.0; 3])?;
+        let free = own.along.clone();
+        Ok(Self { free, ..own })
+    }
+
+    /// With the means bᵀ u of `nodal`, held at `given`.
+    fn of(body: &CondensedBody, nodal: Vec<Vec<f64>>, given: Vec<f64>) -> Result<Self, BodyError> {
         let structure = &body.structure;
         let columns = nodal
             .iter()
@@ -80,7 +97,7 @@ impl Section {
                 .map(|forces| structure.to_unknowns(forces))
                 .collect(),
             nodal,
-            given: axes.iter().map(|&axis| hold.displacement[axis]).collect(),
+            given,
             motions: &body.modes * &along,
             resultants: body
                 .mode_loads
@@ -134,6 +151,36 @@ impl Section {
     }
 }
 
+/// Nodal forces, interleaved, whose work on displacements is their mean along x and along y.
+fn means(mesh: &Mesh) -> [Vec<f64>; 2] {
+    let weights = area_integral(mesh, |_| 1.0);
+    let area: f64 = weights.iter().sum();
+    [0, 1].map(|axis| {
+        let mut forces = vec![0.0; 2 * weights.len()];
+        let own = forces.iter_mut().skip(axis).step_by(2);
+        own.zip(&weights)
+            .for_each(|(force, weight)| *force = weight / area);
+        forces
+    })
+}
+
+/// Nodal forces, interleaved, whose work on displacements is their mean turn about the centroid, times `length`.
+fn turn(mesh: &Mesh, length: f64) -> Vec<f64> {
+    let whole =
+        |function: &dyn Fn([f64; 2]) -> f64| -> f64 { area_integral(mesh, function).iter().sum() };
+    let area = whole(&|_| 1.0);
+    let centre = [whole(&|[x, _]| x), whole(&|[_, y]| y)].map(|moment| moment / area);
+    let from = |[x, y]: [f64; 2]| [x - centre[0], y - centre[1]];
+    let polar = whole(&|at| from(at).iter().map(|part| part * part).sum());
+    let along_x = area_integral(mesh, |at| -from(at)[1] * length / polar);
+    let along_y = area_integral(mesh, |at| from(at)[0] * length / polar);
+    along_x
+        .into_iter()
+        .zip(along_y)
+        .flat_map(|(x, y)| [x, y])
+        .collect()
+}
+
 /// An orthonormal basis of what is perpendicular to the columns of `held`.
 fn complement(held: &DMatrix<f64>) -> DMatrix<f64> {
     let count = held.nrows();
@@ -161,12 +208,13 @@ fn complement(held: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 impl CondensedBody {
-    /// Holds the mean displacement as the body's section hold says.
+    /// Holds the mean displacement, or carries the body by it, as the body says.
     pub(super) fn hold_section(&mut self) -> Result<(), BodyError> {
-        let Some(hold) = self.body.section else {
-            return Ok(());
+        let own = match (self.body.section, self.body.carried) {
+            (Some(hold), _) => Section::held(self, &hold)?,
+            (None, Some(length)) => Section::carried(self, length)?,
+            (None, None) => return Ok(()),
         };
-        let own = Section::new(self, &hold)?;
         let solved: Vec<Vec<f64>> = (own.on_unknowns.iter())
             .map(|forces| {
                 let mut solution = forces.clone();

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::results::failure::summary::Failure;
+use crate::results::fasteners;
 use crate::results::findings::Entry;
 use crate::results::quantities::SummaryQuantities;
 use crate::results::quantity::{Quantity, Vector};
@@ -37,6 +38,8 @@ pub(crate) struct Summary<'a> {
     /// Name of the edge whose quantities stand directly in each step.
     pub(super) edge: Option<&'a str>,
     pub(super) edges: Vec<Edge<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) fasteners: Vec<fasteners::Entry<'a>>,
     pub(super) steps: Vec<Step<'a>>,
     /// Failure of the laminated bodies for which the scene requests it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -148,6 +151,8 @@ pub(super) struct Step<'a> {
     pub(super) sets: Vec<sets::Entry<'a>>,
     /// Largest stresses of bodies.
     pub(super) stresses: Vec<stresses::Entry<'a>>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) fasteners: BTreeMap<&'a str, fasteners::StepEntry>,
     pub(super) iterations: usize,
     pub(super) pivots: usize,
     pub(super) solvers: &'a [&'static str],

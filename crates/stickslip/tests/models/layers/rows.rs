@@ -1,0 +1,168 @@
+//! Rows of fasteners against bars and springs.
+
+use std::fmt::Write as _;
+
+use stickslip::model::Model;
+use stickslip::run::{displacements_of, solve, solver};
+use stickslip::scene::schema::SolverChoice;
+use stickslip_contact::nalgebra::{DMatrix, DVector};
+
+use super::{HEAD, is_balanced, slice};
+use crate::{scene, solved};
+
+/// Young's modulus of the plates `[MPa]`.
+const YOUNG: f64 = 72_000.0;
+/// Width of the plates `[mm]`.
+const WIDTH: f64 = 24.0;
+/// Thicknesses of the plates `[mm]`.
+const THICKNESS: [f64; 3] = [2.5, 4.0, 2.5];
+/// From the last hole to a loaded or held side, and to a free one `[mm]`.
+const ENDS: [f64; 2] = [48.0, 18.0];
+
+/// A plate of `thickness` from `from` to `to` along x with holes at `holes`.
+fn long_plate(name: &str, thickness: f64, [from, to]: [f64; 2], holes: &[f64]) -> String {
+    let mut text = format!(
+        r#"
+[bodies.{name}]
+material = "aluminium"
+thickness = "{thickness} mm"
+[bodies.{name}.shape.outline]
+start = ["{from} mm", "-12 mm"]
+edges = [
+  {{ name = "bottom", to = ["{to} mm", "-12 mm"] }},
+  {{ name = "right", to = ["{to} mm", "12 mm"] }},
+  {{ name = "top", to = ["{from} mm", "12 mm"] }},
+  {{ name = "left" }},
+]
+[bodies.{name}.shape.outline.holes]
+"#
+    );
+    for (k, x) in holes.iter().enumerate() {
+        let _ = writeln!(
+            text,
+            "h{k} = {{ centre = [\"{x} mm\", \"0 mm\"], radius = \"3 mm\" }}"
+        );
+    }
+    text
+}
+
+/// A tight disk without friction.
+fn tight(name: &str, thickness: f64, hole: &str) -> String {
+    slice(name, thickness, hole, 0.0).replace("0.2 }", "0.0 }")
+}
+
+fn head_of_rows() -> String {
+    HEAD.replace("6 deg", "10 deg")
+        .replace("[\"1 kN\", \"3 kN\", \"0.5 kN\"]", "[\"3 kN\"]")
+}
+
+/// Sides that slide across the load, so that plates narrow freely.
+fn slides(plate: &str) -> String {
+    format!("[[supports]]\non = \"{plate}.right\"\nfix = [\"x\"]\n")
+}
+
+/// A double lap of `count` tight frictionless bolts at `pitch` with `springs`, the middle plate pulled along −x.
+fn row(count: usize, pitch: f64, springs: &str) -> String {
+    let mut text = head_of_rows();
+    let holes: Vec<f64> = (0..count).map(|k| pitch * k as f64).collect();
+    let last = holes[count - 1];
+    let [far, near] = ENDS;
+    let plates = ["lower", "pulled", "upper"];
+    for (name, thickness) in plates.into_iter().zip(THICKNESS) {
+        let range = match name {
+            "pulled" => [-far, last + near],
+            _ => [-near, last + far],
+        };
+        text += &long_plate(name, thickness, range, &holes);
+    }
+    for k in 0..count {
+        for (layer, plate) in plates.into_iter().enumerate() {
+            let name = format!("s{k}-{layer}");
+            text += &tight(&name, THICKNESS[layer], &format!("{plate}.h{k}"));
+        }
+        let _ = write!(
+            text,
+            "[fasteners.f{k}]\nslices = [\"s{k}-0\", \"s{k}-1\", \"s{k}-2\"]\nsprings.{springs}\n"
+        );
+    }
+    text + &slides("lower") + &slides("upper")
+}
+
+/// By how much the loaded side of `text` moves along the load `[mm]`.
+fn stretch(text: &str) -> f64 {
+    let model = Model::build(&scene(text, &[])).unwrap();
+    let found = solve(&model, solver(SolverChoice::Auto).as_ref(), &mut |_| {}).unwrap();
+    let mut bodies = model.bodies.iter();
+    let pulled = bodies.position(|body| body.name == "pulled").unwrap();
+    let moved = displacements_of(&model, &found, pulled);
+    let mesh = model.bodies[pulled].elastic().unwrap().mesh();
+    let side = mesh.node_set("left").unwrap();
+    let total: f64 = side.iter().map(|&node| moved[0][2 * node]).sum();
+    -total / side.len() as f64
+}
+
+/// Forces on the bolts of a row, as parts of the load, where plates are bars with the compliances `bars` between the bolts, of the middle plate and of the
+/// others, and bolts are springs with the compliance `spring`:
+///
+/// ```text
+/// spring (f_k+1 − f_k) + bars_0 (P − S_k) − bars_1 S_k = 0,    S_k = Σ_≤k f,    S_n = P
+/// ```
+fn classical(count: usize, spring: f64, bars: [f64; 2]) -> DVector<f64> {
+    let mut system = DMatrix::<f64>::zeros(count, count);
+    let mut side = DVector::<f64>::zeros(count);
+    for k in 0..count - 1 {
+        system[(k, k)] -= spring;
+        system[(k, k + 1)] += spring;
+        (0..=k).for_each(|j| system[(k, j)] -= bars[0] + bars[1]);
+        side[k] = -bars[0];
+    }
+    system.row_mut(count - 1).fill(1.0);
+    side[count - 1] = 1.0;
+    system.lu().solve(&side).unwrap()
+}
+
+/// The largest difference of the forces on the bolts of a row from those of springs and bars, as a part of the load. The spring is what a joint of one
+/// bolt has beside its bars.
+fn beside_classical(count: usize, pitch: f64, springs: &str) -> f64 {
+    const LOAD: f64 = 3e3;
+    let bar = |thickness: f64, length: f64| length / (YOUNG * WIDTH * thickness);
+    let outside = THICKNESS[0] + THICKNESS[2];
+    let bars = |length: f64| [bar(THICKNESS[1], length), bar(outside, length)];
+    let single = stretch(&row(1, 0.0, springs)) / LOAD;
+    let spring = single - bars(ENDS[0]).iter().sum::<f64>();
+    let results = solved(&row(count, pitch, springs), &[]);
+    is_balanced(&results);
+    let fasteners = results.steps[0].fasteners.iter();
+    let found = fasteners.map(|own| -own.layers[1].force[0] / LOAD);
+    let wanted = classical(count, spring, bars(pitch));
+    let apart = found.zip(wanted.iter());
+    apart
+        .map(|(found, wanted)| (found - wanted).abs())
+        .fold(0.0, f64::max)
+}
+
+/// What bars leave out, that a hole of radius a lengthens its plate of width w as 3πa²/w more of it would and that a bolt moves with the side of the hole that it
+/// bears on, by 2a times the strain of what passes, is some 5 mm of a plate for each bolt; the springs give as 690 mm of it.
+#[test]
+fn rows_of_soft_springs_share_their_load_as_springs_and_bars() {
+    let soft = "given = { force = \"1 kN\", displacements = [\"0.2 mm\", \"0.2 mm\"] }";
+    for count in [2, 3, 5] {
+        let apart = beside_classical(count, 96.0, soft);
+        println!("soft {count}: {apart}");
+        assert!(apart < 0.005, "{count}: {apart}");
+    }
+}
+
+/// Bolts give as 50 mm of a plate, so that these 5 mm show, less the farther the bolts are apart.
+#[test]
+fn rows_of_bolts_far_apart_share_their_load_as_springs_and_bars() {
+    let beam = "beam = { head = \"clamped\", nut = \"clamped\" }";
+    for count in [2, 3, 5] {
+        let [near, far] = [48.0, 192.0].map(|pitch| beside_classical(count, pitch, beam));
+        println!("{count}: {near} {far}");
+        assert!(
+            near < 0.04 && far < 0.03 && far < near,
+            "{count}: {near} {far}"
+        );
+    }
+}
