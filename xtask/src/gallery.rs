@@ -15,7 +15,7 @@ use stickslip::scene::Scene;
 use crate::publish::{TaskError, root};
 
 /// Scenes, and the figure that is shown of each beside its sketch.
-const SHOWN: [(&str, &str); 15] = [
+const SHOWN: [(&str, &str); 17] = [
     ("pin-loaded-aluminium", "pressure-pin"),
     ("pin-quasi-isotropic", "stresses-coulomb"),
     ("bushed-pin", "field-von-mises"),
@@ -26,6 +26,8 @@ const SHOWN: [(&str, &str); 15] = [
     ("eccentric-hole", "pressure-pin"),
     ("bearing-bypass", "hoop-bolt"),
     ("fasteners-five", "field-von-mises"),
+    ("double-lap", "field-von-mises"),
+    ("single-lap", "field-von-mises"),
     ("rounded-punch", "shear-block"),
     ("dovetail", "field-von-mises"),
     ("roller", "pressure-plate"),

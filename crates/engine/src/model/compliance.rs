@@ -26,7 +26,7 @@ pub(super) fn choose(
     }
     if let Some(why) = obstacle(scene) {
         return match asked {
-            ComplianceChoice::Blocks => Err(refused(why)),
+            ComplianceChoice::Blocks => Err(refused(&why)),
             ComplianceChoice::Auto | ComplianceChoice::Matrix => Ok(()),
         };
     }
@@ -41,7 +41,7 @@ pub(super) fn choose(
     if names.is_empty() {
         return match asked {
             ComplianceChoice::Blocks => Err(refused(
-                "no body of finite elements has contact on several edges".into(),
+                "no body of finite elements has contact on several edges",
             )),
             ComplianceChoice::Auto | ComplianceChoice::Matrix => Ok(()),
         };
@@ -88,7 +88,7 @@ fn can_have_blocks(body: &ModelBody) -> bool {
     }
 }
 
-fn refused(why: String) -> ModelError {
+fn refused(why: &str) -> ModelError {
     ModelError::Unsupported {
         key: KEY.into(),
         what: format!(

@@ -91,6 +91,9 @@ pub(super) fn all(
     Ok(sets)
 }
 
+/// Nodes with their weights along x and y.
+type NodeWeights = Vec<(usize, [f64; 2])>;
+
 /// Force `[N]` of a unit of the load case `case` on `body`, and the weights of its nodes.
 fn weights(
     body: &ModelBody,
@@ -98,7 +101,7 @@ fn weights(
     on: &SetRef,
     kind: SetKind,
     half: bool,
-) -> Result<(f64, Vec<(usize, [f64; 2])>), MeshError> {
+) -> Result<(f64, NodeWeights), MeshError> {
     let ModelBodyKind::Elastic(elastic) = &body.kind else {
         // A rigid body moves everywhere as at its first point.
         let SetKind::Force { direction } = kind else {

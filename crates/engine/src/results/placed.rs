@@ -30,7 +30,9 @@ impl Results {
                     &mut stresses.largest_principal,
                     &mut stresses.least_principal,
                 ];
-                peaks.into_iter().for_each(|peak| shift(&mut peak.at, by));
+                for peak in peaks {
+                    shift(&mut peak.at, by);
+                }
             }
             for (edge, geometry) in step.edges.iter_mut().zip(&self.edges) {
                 edge.place(geometry, by);

@@ -9,6 +9,9 @@ use stickslip_text::{short, significant, tidy};
 use super::quantity::Quantity;
 use crate::csv::number;
 
+/// Reactions up to this part of the largest show as zero.
+const ROUNDING: f64 = 1e-9;
+
 /// A set with its results of all steps, in display units.
 #[derive(Clone, Copy)]
 pub(super) struct SetView<'a> {
@@ -183,8 +186,6 @@ pub(super) fn reactions(results: &Results) -> Option<Table> {
         step + 1
     );
     let headings = format!("set | along | reaction [{}]", results.units.force.name);
-    // Beside the largest reaction, what is rounding shows as zero.
-    const ROUNDING: f64 = 1e-9;
     let largest = sets.iter().filter_map(|own| own.force(step));
     let largest = largest.fold(0.0, |most: f64, force| most.max(force.abs()));
     let row = |own: SetView<'_>| {

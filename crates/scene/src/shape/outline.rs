@@ -200,21 +200,17 @@ impl Curve {
     }
 
     /// The curve along all of `curves`, each of which is a line or an arc that begins where the one before ends.
-    pub(super) fn joined<'a>(curves: impl Iterator<Item = &'a Self> + Clone) -> Self {
-        let stretches: Vec<Stretch> = curves.clone().filter_map(Self::stretch).collect();
-        match stretches.as_slice() {
-            [_] => curves.cloned().next().unwrap_or_else(|| Self::chain(&[])),
-            [first, .., last]
-                if stretches.iter().all(|own| own.through.is_none())
-                    && are_straight(&stretches) =>
-            {
-                Self::Segment {
-                    ends: [first.ends[0], last.ends[1]],
-                }
-            }
+    pub(super) fn joined(curves: &[&Self]) -> Self {
+        let stretches: Vec<Stretch> = curves.iter().filter_map(|own| own.stretch()).collect();
+        match (curves, stretches.as_slice()) {
+            (&[only], _) => only.clone(),
+            (_, [first, .., last]) if are_straight(&stretches) => Self::Segment {
+                ends: [first.ends[0], last.ends[1]],
+            },
             _ => {
                 let range = |axis| {
-                    curves.clone().map(move |curve| curve.range(axis)).fold(
+                    let all = curves.iter().map(move |own| own.range(axis));
+                    all.fold(
                         [f64::INFINITY, f64::NEG_INFINITY],
                         |[low, high], [least, most]| [low.min(least), high.max(most)],
                     )
@@ -349,11 +345,12 @@ impl Curve {
 fn are_straight(lines: &[Stretch]) -> bool {
     const STRAIGHT: f64 = 1e-9;
     let along = |own: &Stretch| [0, 1].map(|axis| own.ends[1][axis] - own.ends[0][axis]);
-    lines.windows(2).all(|pair| {
-        let [[ax, ay], [bx, by]] = [along(&pair[0]), along(&pair[1])];
-        (ax * by - ay * bx).abs() <= STRAIGHT * ax.hypot(ay) * bx.hypot(by)
-            && ax * bx + ay * by > 0.0
-    })
+    lines.iter().all(|own| own.through.is_none())
+        && lines.windows(2).all(|pair| {
+            let [[ax, ay], [bx, by]] = [along(&pair[0]), along(&pair[1])];
+            (ax * by - ay * bx).abs() <= STRAIGHT * ax.hypot(ay) * bx.hypot(by)
+                && ax * bx + ay * by > 0.0
+        })
 }
 
 /// Whether the way along a circle about `centre` from the point `from` through the angle `turn` passes its point `at`.

@@ -147,7 +147,7 @@ fn joined(mut curves: Vec<(String, Curve)>) -> Vec<Edge> {
     let runs = curves.chunk_by(|(one, _), (other, _)| one == other);
     let edge = |run: &[(String, Curve)]| Edge {
         name: Cow::Owned(run[0].0.clone()),
-        curve: Curve::joined(run.iter().map(|(_, curve)| curve)),
+        curve: Curve::joined(&run.iter().map(|(_, curve)| curve).collect::<Vec<_>>()),
         role: Role::Free,
         size: None,
     };

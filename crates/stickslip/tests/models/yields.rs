@@ -1,6 +1,6 @@
 //! The yield stress of a metal: which bodies exceed it, where, and in which steps.
 
-use stickslip::results::{Finding, Results, Yield};
+use stickslip::results::{Finding, Quantity, Results, Yield};
 use stickslip::scene::{Format, Scene};
 
 use super::solved;
@@ -108,7 +108,7 @@ fn a_ring_under_pressure_yields_where_its_von_mises_stress_says_so() {
             assert!((found.at[0].hypot(found.at[1]) - 10.0).abs() < 1e-9);
         }
         let found = yields(&results).map(|found| (found.step, found.steps.clone()));
-        assert_eq!(found, (!beyond.is_empty()).then(|| (3, beyond)));
+        assert_eq!(found, (!beyond.is_empty()).then_some((3, beyond)));
     }
 }
 
@@ -120,7 +120,7 @@ fn an_open_hole_yields_at_a_third_of_the_yield_stress() {
     // 3 σ of the infinite plate; in one of 100 radii 3 + 1e-3 or less.
     let stress = found.von_mises.value();
     assert!((stress - 300.0).abs() < 1.0, "{stress}");
-    let [x, y] = found.at.map(|at| at.value());
+    let [x, y] = found.at.map(Quantity::value);
     assert!(x.abs() < 0.06 && (y.abs() - 1.0).abs() < 2e-3, "{x} {y}");
 }
 

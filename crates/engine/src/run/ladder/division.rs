@@ -127,12 +127,11 @@ impl Changes<'_> {
                 return None;
             }
             let [last, before] = self.changes(at, stated);
-            let grows = match before {
-                Some(before) => last > Some(0.5 * before),
-                None => {
-                    let value = stated.value(&self.fine.steps[at[0]][at[1]]);
-                    limits.are_of_a_support() && last > value.map(|value| STEEP * value.abs())
-                }
+            let grows = if let Some(before) = before {
+                last > Some(0.5 * before)
+            } else {
+                let value = stated.value(&self.fine.steps[at[0]][at[1]]);
+                limits.are_of_a_support() && last > value.map(|value| STEEP * value.abs())
             };
             if limits.concern(stated) && grows {
                 return None;

@@ -14,12 +14,19 @@ use crate::results::{EdgeGeometry, EdgeResults, EdgeRow, Stated};
 pub(super) struct Missing {
     /// The stress at the bearing point.
     bearing: bool,
-    /// The largest stress.
-    hoop: bool,
+    /// The largest stress, and why.
+    hoop: Option<Cause>,
     /// The largest pressure.
     pressure: bool,
-    /// Whether a support is why.
-    of_a_support: bool,
+}
+
+/// Why the largest stress along an edge has no limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Cause {
+    /// It is where friction jumps.
+    Friction,
+    /// It is where a support ends.
+    Support,
 }
 
 impl Missing {
@@ -31,10 +38,8 @@ impl Missing {
         (edge, geometry, results): (usize, &EdgeGeometry, &EdgeResults),
     ) -> Self {
         let Some(pair) = model.edges[edge].pair else {
-            let of_a_support = is_at_support(model, edge, results);
             return Self {
-                hoop: of_a_support,
-                of_a_support,
+                hoop: is_at_support(model, edge, results).then_some(Cause::Support),
                 ..Self::default()
             };
         };
@@ -45,22 +50,22 @@ impl Missing {
         };
         Self {
             bearing: near(results.bearing.or(Some(0.0))),
-            hoop: near(Stated::PeakHoopPlace.value(results)) || drops(),
+            hoop: (near(Stated::PeakHoopPlace.value(results)) || drops())
+                .then_some(Cause::Friction),
             pressure: near(Stated::PeakPressurePlace.value(results)) && are_unlike(model, pair),
-            of_a_support: false,
         }
     }
 
     /// Whether a support is why, which shows in two divisions.
     pub(super) fn are_of_a_support(self) -> bool {
-        self.of_a_support
+        self.hoop == Some(Cause::Support)
     }
 
     /// Whether `stated` is one of them.
     pub(super) fn concern(self, stated: Stated) -> bool {
         match stated {
             Stated::HoopAtBearing => self.bearing,
-            Stated::PeakHoop | Stated::PeakHoopPlace => self.hoop,
+            Stated::PeakHoop | Stated::PeakHoopPlace => self.hoop.is_some(),
             Stated::PeakPressure => self.pressure,
             _ => false,
         }
