@@ -198,7 +198,7 @@ fn questions() {
     refused(
         COUPON,
         "failure.characteristic={ tension = \"1 mm\", compression = \"1 mm\" }",
-        &["body 'coupon' does not have"],
+        &["body 'coupon' has none"],
     );
     refused(
         COUPON,
