@@ -400,7 +400,7 @@ fn unloaded_bolts_are_released() {
             "[bodies.bolt-6]\nmaterial = \"steel\"\nthickness = \"3 mm\"\nshape.disk.radius = \"2.985 mm\"\n[mesh]",
         );
     let changes = [
-        "mesh.spacing=12 deg",
+        "mesh.spacing=6 deg",
         "loads.0.force.steps=[\"-3 kN\", \"0 N\"]",
         "supports.5={ on = \"bolt-6.section\", fix = [\"x\", \"y\"] }",
         "contacts.5={ first = \"plate.hole-6\", second = \"bolt-6.rim\", friction.coulomb.mu = 0.2 }",
