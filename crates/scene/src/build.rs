@@ -74,7 +74,7 @@ pub(super) fn build(
     builder.stand_once(&contacts);
     let supports = builder.supports(&format);
     let platens = builder.platens(&format, &contacts);
-    let beside = fasteners::Beside {
+    let beside = BesideSlices {
         materials: &materials,
         contacts: &contacts,
         supports: &supports,
@@ -166,6 +166,14 @@ struct Builder<'a> {
     base: &'a Path,
     findings: Vec<Finding>,
     bodies: BTreeMap<String, Body>,
+}
+
+/// What stands around the slices of fasteners.
+struct BesideSlices<'a> {
+    materials: &'a Materials,
+    contacts: &'a [Contact],
+    supports: &'a [Support],
+    platens: &'a [Platen],
 }
 
 /// What surrounds the body whose plies fail.

@@ -429,10 +429,9 @@ mod tests {
         let moved: Vec<Point> = (curve.parameter.iter())
             .map(|&s| std::array::from_fn(|i| shift[i] + growth * away(s)[i]))
             .collect();
-        let centre = [0.3 + shift[0], -0.2 + shift[1]];
         for position in [0, 7, 40, 90, 119] {
             let angle = curve.parameter[position] + 0.01;
-            let to = std::array::from_fn(|i| centre[i] + 2.1 * away(angle)[i]);
+            let to = std::array::from_fn(|i| shift[i] + 2.1 * away(angle)[i]);
             let by = curve.nearest(&moved, to, position).unwrap();
             assert!((by - 0.01).abs() < 1e-5, "{by}");
             let normal = curve.normal(curve.local(&moved, position, by).tangent);

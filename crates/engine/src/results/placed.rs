@@ -5,7 +5,7 @@ use crate::model::{Model, ModelError};
 use super::{BodyFailure, EdgeGeometry, EdgeKind, EdgeResults, FailurePoint, FirstPly, Results};
 
 impl Results {
-    /// Moves all places, which are those of `model`, to where they are in its scene.
+    /// Moves all places, which are those of `model`, to where they are in its scene; what friction laws are given stands there already.
     ///
     /// # Errors
     /// As [`Model::placed`].
@@ -20,10 +20,6 @@ impl Results {
             }
         }
         for step in &mut self.steps {
-            step.notes
-                .cycle_places
-                .iter_mut()
-                .for_each(|at| shift(at, by));
             for stresses in &mut step.stresses {
                 let peaks = [
                     &mut stresses.von_mises,

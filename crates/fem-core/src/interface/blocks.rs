@@ -221,7 +221,8 @@ mod tests {
     fn parts_columns_and_products_are_those_of_one_matrix() {
         let blocks = sample();
         let whole = blocks.matrix();
-        assert_eq!(whole, whole.transpose());
+        // The middle product is summed in another order on either side.
+        assert!((&whole - whole.transpose()).amax() < 1e-15);
         assert_eq!(blocks.diagonal(), whole.diagonal());
         for column in 0..6 {
             assert!((blocks.column(column) - whole.column(column)).amax() < 1e-15);

@@ -46,7 +46,7 @@ fn names() {
     assert_eq!(
         refused(&contour),
         ContourError::EmptyName {
-            what: "piece 3".into()
+            what: "edge 3".into()
         }
     );
     let mut contour = strip();

@@ -168,13 +168,25 @@ impl Builder<'_> {
         match self.touch(first, second) {
             Some(Touch::Circles { radii }) => self.circles(interference, [first, second], radii),
             Some(Touch::Cylinder { .. }) => self.divided_together(key, [first, second]),
-            Some(Touch::Open) => self.open(key, gap),
+            Some(Touch::Open) => self.open(key, gap, [first, second]),
             None => self.no_pair(key, first, second),
         }
     }
 
-    /// Refuses gaps of open edges that are not those of the true curves.
-    fn open(&mut self, key: &str, gap: GapKind) {
+    /// Refuses open edges of shapes with an axis, and gaps that are not those of the true curves.
+    fn open(&mut self, key: &str, gap: GapKind, edges: [&SetRef; 2]) {
+        let has_axis = |edge: &&&SetRef| {
+            let body = self.bodies.get(&edge.body);
+            body.is_some_and(|body| body.shape.mirror().is_some())
+        };
+        if let Some(edge) = edges.iter().find(has_axis) {
+            let message = format!(
+                "{edge} is an edge of a shape that stands about the origin and touches by its circle or its contact edge"
+            );
+            let remedy = "draw the body as shape.outline";
+            self.conflict(key, message, remedy);
+            return;
+        }
         if gap == GapKind::Linearised {
             let message =
                 "linearised gaps are those of a circle in a hole or a cylinder on a block";

@@ -2,25 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use super::{Builder, Materials};
+use super::{BesideSlices, Builder, Materials};
 use crate::document::child;
 use crate::format::{EndFormat, FastenerFormat, SceneFormat, SpringsFormat};
-use crate::schema::{
-    Contact, Fastener, KinematicsChoice, Material, Platen, SetRef, Springs, Substance, Support,
-};
+use crate::schema::{Contact, Fastener, KinematicsChoice, Material, SetRef, Springs, Substance};
 use crate::shape::{Curve, Role};
 use crate::units::Quantity;
 
 /// Part of a thickness or a radius by which equal ones may differ.
 const EQUAL: f64 = 1e-9;
-
-/// What stands around the slices.
-pub(super) struct Beside<'a> {
-    pub(super) materials: &'a Materials,
-    pub(super) contacts: &'a [Contact],
-    pub(super) supports: &'a [Support],
-    pub(super) platens: &'a [Platen],
-}
 
 /// A slice in its plate.
 struct Slice<'a> {
@@ -31,7 +21,11 @@ struct Slice<'a> {
 }
 
 impl Builder<'_> {
-    pub(super) fn fasteners(&mut self, format: &SceneFormat, beside: &Beside<'_>) -> Vec<Fastener> {
+    pub(super) fn fasteners(
+        &mut self,
+        format: &SceneFormat,
+        beside: &BesideSlices<'_>,
+    ) -> Vec<Fastener> {
         let mut fasteners: Vec<Fastener> = Vec::new();
         let mut layers: Vec<(String, Vec<String>)> = Vec::new();
         if !format.fasteners.is_empty() {
@@ -107,7 +101,12 @@ impl Builder<'_> {
     }
 
     /// The disk `body` in the hole of its plate; `None` where it cannot be a slice, which has been reported.
-    fn slice<'b>(&mut self, key: &str, body: &'b str, beside: &Beside<'b>) -> Option<Slice<'b>> {
+    fn slice<'b>(
+        &mut self,
+        key: &str,
+        body: &'b str,
+        beside: &BesideSlices<'b>,
+    ) -> Option<Slice<'b>> {
         let Some(own) = self.bodies.get(body) else {
             let known = self.bodies.keys().cloned().collect();
             self.undefined(key, "body", body, known);

@@ -14,7 +14,7 @@ pub(super) const TABLES: &[Table] = &[
         table_as("springs", REQUIRED, ".beam = {}", "what couples the slices"),
     ]),
     Table::new("fasteners.NAME.springs", &[
-        table("rigid", "one of the three", "nothing gives: the slices move and turn as one; without keys"),
+        table_as("rigid", "one of the three", "{}", "nothing gives: the slices move and turn as one; without keys"),
         table("beam", "one of the three", "the shank as a beam of the slices' material, in shear, bending and torsion"),
         table("given", "one of the three", "a displacement between each slice and the next; all turn as one"),
     ]).choice(),

@@ -430,14 +430,15 @@ fn keys_of_sizes_lead_to_the_sizes() {
 }
 
 #[test]
-fn a_hole_takes_a_rim_and_a_cap_takes_a_surface() {
+fn a_hole_takes_a_rim_a_cap_a_surface_and_an_open_edge_another() {
     let edges: Vec<Edge> = shapes().iter().flat_map(|shape| shape.edges()).collect();
     for first in &edges {
         for second in &edges {
+            let is_open = |edge: &Edge| edge.role == Role::Free && edge.curve.path().is_some();
             let fits = matches!(
                 (first.role, second.role),
                 (Role::Hole, Role::Rim) | (Role::Cap, Role::Surface)
-            );
+            ) || (is_open(first) && is_open(second));
             assert_eq!(
                 first.touches(second).is_some(),
                 fits,

@@ -11,7 +11,7 @@ fn unknown_keys() {
     assert_eq!(message, "unknown key 'thicknes'");
     assert_eq!(
         help,
-        "did you mean 'thickness'? known keys here: material, rigid, thickness, shape, model, mesh"
+        "did you mean 'thickness'? known keys here: material, rigid, thickness, shape, position, angle, model, mesh"
     );
     assert_eq!((line, shown.as_str()), (8, "thicknes"));
     let (message, _, line, _) = refused("[mesh]", "[mesh]\nquality = 3");

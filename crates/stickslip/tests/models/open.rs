@@ -191,6 +191,7 @@ on = "block.bottom"
 fix = ["x", "y"]
 [[platens]]
 on = "nose.top"
+free = ["x", "y"]
 [[loads]]
 on = "nose.top"
 force = {{ direction = [0, -1], steps = ["1 kN", "0.5 kN"] }}
