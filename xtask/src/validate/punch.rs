@@ -28,11 +28,11 @@ const SQUARE: &str = include_str!("square_punch.toml");
 /// 1 − λ at a notch of 270°, sin(λ 3π/2) = −λ sin(3π/2) (Williams 1952).
 const EXPONENT: f64 = 0.455_516;
 /// Distances from the corner between which the exponent is fitted `[mm]`; the punch is 2 mm wide.
-const FITTED: [f64; 2] = [0.0005, 0.01];
+const FITTED: [f64; 2] = [1.5e-5, 2e-4];
 
 pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("Ciavarella, Hills & Monno 1998; Ciavarella 1998, Jäger 1998");
-    let spacing = laboratory.sized(4.0, 2.0);
+    let spacing = laboratory.sized(2.0, 1.0);
     let found = solved(SCENE, &[format!("mesh.spacing={spacing} mm")])?;
     let half = |extent: Option<f64>| extent.ok_or("the punch does not touch");
     let [pressed, pushed] = [&found.steps[0].edges[0], &found.steps[1].edges[0]];
