@@ -51,6 +51,20 @@ impl Path {
         self.length
     }
 
+    /// Sum of the angles by which it turns, to either side `[rad]`.
+    pub fn turn(&self) -> f64 {
+        let along: f64 = self
+            .tracks
+            .iter()
+            .map(|(_, track)| track.turn().abs())
+            .sum();
+        let kinks = self.tracks.windows(2).map(|pair| {
+            let ([_, before], [after, _]) = (pair[0].1.tangents(), pair[1].1.tangents());
+            cross(before, after).atan2(dot(before, after)).abs()
+        });
+        along + kinks.sum::<f64>()
+    }
+
     /// Arc lengths where one stretch ends and the next begins `[length]`.
     pub fn joints(&self) -> impl Iterator<Item = f64> {
         self.tracks.iter().skip(1).map(|(begin, _)| *begin)

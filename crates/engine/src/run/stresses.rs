@@ -15,6 +15,8 @@ use crate::results::{
 /// stresses of F/(π r t) at the distance r, at two fifths of the diameter of a pin less than those that a contact makes on its rim.
 const FROM_POINT: f64 = 0.4;
 const FROM_END: f64 = 0.05;
+/// Part of a yield stress by which rounding may exceed it.
+const ROUNDING: f64 = 1e-9;
 
 /// Stresses (xx, yy, xy) `[MPa]` at every node of the body `index`: of a series, or recovered from patches, and on reported edges from the edge's own strain.
 pub(super) fn at_nodes(
@@ -172,7 +174,9 @@ pub(super) fn yields(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
             Some((step + 1, stresses.von_mises))
         };
         let beyond = steps.iter().enumerate().filter_map(own);
-        let beyond: Vec<_> = beyond.filter(|(_, peak)| peak.stress > limit).collect();
+        let beyond: Vec<_> = beyond
+            .filter(|(_, peak)| peak.stress > limit * (1.0 + ROUNDING))
+            .collect();
         let largest = |one: &&(usize, StressPeak), other: &&(usize, StressPeak)| {
             one.1.stress.total_cmp(&other.1.stress)
         };

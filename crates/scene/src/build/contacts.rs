@@ -187,9 +187,8 @@ impl Builder<'_> {
             self.conflict(key, message, remedy);
             return;
         }
-        if gap == GapKind::Linearised {
-            let message =
-                "linearised gaps are those of a circle in a hole or a cylinder on a block";
+        if gap != GapKind::Exact {
+            let message = "open edges have exact gaps; linearised and faceted ones are those of a circle in a hole or a cylinder on a block";
             let remedy = "leave out `gap`, which is then that of the true curves";
             self.conflict(&format!("{key}.gap"), message, remedy);
         }

@@ -178,6 +178,7 @@ impl Builder<'_> {
         }
         let plate = self.bodies.get(&hole.body)?;
         let circle = plate.shape.edge(&hole.set).map(|own| own.curve);
+        let position = plate.position;
         if let Substance::Elastic {
             thickness: other, ..
         } = plate.substance
@@ -197,7 +198,7 @@ impl Builder<'_> {
             body,
             radius,
             plate: &hole.body,
-            centre,
+            centre: [0, 1].map(|axis| centre[axis] + position[axis]),
         })
     }
 

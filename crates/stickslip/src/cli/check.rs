@@ -1,7 +1,6 @@
 //! `stickslip check`: the scene as it will be understood and modelled.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use clap::Args;
 use serde_json::{Value, json};
@@ -13,7 +12,7 @@ use super::experiment::{self, Kind, kind_of};
 use super::failure::{CommandError, Failure};
 use super::located::locate;
 use crate::folder::write_new;
-use stickslip_engine::model::{Model, ModelBody, ModelBodyKind};
+use stickslip_engine::model::{Model, ModelBody, ModelBodyKind, ModelError};
 use stickslip_present::results::{SketchBody, findings_json, sentence, sketch};
 use stickslip_report::axis::ends;
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
@@ -44,10 +43,14 @@ fn draw(scene: &Scene, model: &Model, path: &Path) -> Result<(), CommandError> {
         cause,
     };
     let body = |body: &ModelBody| {
-        let mesh = body.elastic().map(|own| Arc::clone(own.mesh()));
-        (body.name.clone(), mesh)
+        let own = body.elastic();
+        let mesh = own
+            .map(|own| model.placed(&body.name, own.mesh()))
+            .transpose();
+        Ok((body.name.clone(), mesh?))
     };
-    let bodies: Vec<SketchBody> = model.bodies.iter().map(body).collect();
+    let bodies: Result<Vec<SketchBody>, ModelError> = model.bodies.iter().map(body).collect();
+    let bodies = bodies.map_err(|cause| refused(cause.to_string()))?;
     let picture = sketch(&bodies, scene.resolved(), scene.display);
     let picture = picture.map_err(|cause| refused(cause.to_string()))?;
     let picture = picture.ok_or_else(|| refused("no body of the scene has a mesh".to_owned()))?;

@@ -251,3 +251,52 @@ fn a_rigid_punch_presses_as_a_stiff_one() {
     );
     close(a.resultant[1], -1000.0, 1e-9);
 }
+
+#[test]
+fn bodies_that_start_apart_press_as_those_that_touch() {
+    let touching = solved(&nose(""), &[]);
+    let exchanged = [
+        r#"contacts.0.first="block.face""#,
+        r#"contacts.0.second="nose.face""#,
+    ];
+    for changes in [&[][..], &exchanged] {
+        for apart in ["0.3 mm", "3 mm"] {
+            let away = format!(r#"bodies.nose.position=["0 mm", "{apart}"]"#);
+            let changes: Vec<&str> = changes.iter().copied().chain([away.as_str()]).collect();
+            let found = solved(&nose(""), &changes);
+            let [a, b] = [&touching, &found].map(|results| edge(results, 0));
+            close(b.peak_pressure.unwrap().0, a.peak_pressure.unwrap().0, 0.02);
+            close(
+                b.contact_half_extent.unwrap(),
+                a.contact_half_extent.unwrap(),
+                0.03,
+            );
+        }
+    }
+}
+
+#[test]
+fn without_friction_nothing_holds_a_body_along_a_flat() {
+    for changes in [
+        &[r#"contacts.0.friction.coulomb.mu=0"#][..],
+        &[
+            r#"contacts.0.friction.coulomb.mu=0"#,
+            r#"contacts.0.first="block.face""#,
+            r#"contacts.0.second="nose.face""#,
+        ],
+    ] {
+        let pushed: Vec<&str> = changes
+            .iter()
+            .copied()
+            .chain(["loads.0.force.direction=[0.01, -1]"])
+            .collect();
+        let scene = scene(&nose(""), &pushed);
+        let refused = stickslip::run::run(&scene, &mut |_| {})
+            .unwrap_err()
+            .to_string();
+        assert!(
+            refused.contains("rigid motion") || refused.contains("balance"),
+            "{refused}"
+        );
+    }
+}

@@ -24,6 +24,13 @@ impl Tied<'_> {
         (beside_elements, faced): (Option<&SeriesBody>, Option<&Nodes>),
     ) -> Result<Facing, ModelError> {
         beside_elements.map_or(Ok(()), check_spacing)?;
+        let Some(shape) = self.geometry.second(first.edge.centre.unwrap_or_default()) else {
+            let what = format!(
+                "analysis.kinematics = \"deformed-gaps\" is for circles in holes and cylinders on blocks, and contact '{}' is one of other edges; say kinematics = \"small\"",
+                self.contact.name
+            );
+            return Err(refused(index, "first", what));
+        };
         if self.contact.gap != GapKind::Exact {
             let what = format!(
                 "analysis.kinematics = \"deformed-gaps\" measures gaps of the true shapes, and contact '{}' has another `gap`; leave it out, or \
@@ -42,13 +49,6 @@ impl Tied<'_> {
             return Err(refused(index, "projection", what));
         }
         let edge = first.edge;
-        let Some(shape) = self.geometry.second(edge.centre.unwrap_or_default()) else {
-            let what = format!(
-                "analysis.kinematics = \"deformed-gaps\" is for circles in holes and cylinders on blocks, and contact '{}' is one of other edges; say kinematics = \"small\"",
-                self.contact.name
-            );
-            return Err(refused(index, "first", what));
-        };
         let round = matches!(edge.kind, EdgeKind::Circle { .. });
         let nodes = second.edge.nodes.len();
         // Displacements of series are means over hats, which are about other places than nodes where neighbours are unequally far.

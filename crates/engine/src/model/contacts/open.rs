@@ -1,12 +1,14 @@
 //! Open edges of known curves that may touch: where they face each other, and their gaps.
 //!
-//! Places are arc lengths s along the first edge from its middle. At each the normal n leads into the first body, and the gap is the way along −n to the second edge,
+//! Places are arc lengths s along the first edge from its middle. The first body is moved by t to where the edges touch, and gaps are linear in displacements from there,
 //!
 //! ```text
-//! g(s) = the least t with x(s) − t n(s) on the second curve, where the second body's own normal opposes n
+//! g(s) = w(s) − n(s)·t,     w(s) the way from x(s) + t to the second edge along −n(s)
 //! ```
 //!
-//! A place that this line leaves without the second edge faces nothing.
+//! so that how far apart the bodies stand changes no pressure. The normal n into the first body is that of the flatter edge: of the first at s, otherwise of the second at the place nearest to
+//! x(s) + t. Along a normal of a curve that rolls off, a body that slides would be held by a stiffness of force over radius, which is the geometry's and not the contact's.
+//! A place whose normal leads past the other edge faces nothing.
 
 use std::ops::Range;
 
@@ -27,11 +29,21 @@ const ROUNDING: f64 = 1e-9;
 /// Cosine of the angle between two normals up to which edges do not face each other.
 const ASKEW: f64 = 1e-3;
 
+/// Places along the first edge at which the nearest one is sought, before it is refined.
+const PLACES: usize = 512;
+/// Golden sections of the interval around the nearest place.
+const SECTIONS: usize = 60;
+
 /// Two open edges where they stand.
 #[derive(Clone, Debug)]
 pub(super) struct OpenPair {
+    /// The first edge, moved to where it touches.
     first: Path,
     second: Path,
+    /// By what it was moved.
+    travel: Point,
+    /// Whether normals are those of the second edge.
+    by_second: bool,
 }
 
 impl OpenPair {
@@ -42,10 +54,42 @@ impl OpenPair {
             let path = side.edge.as_ref()?.curve.path()?;
             Some(path.moved(plan.bodies[side.body].centre))
         };
-        Some(Self {
-            first: path(first)?,
-            second: path(second)?,
-        })
+        let [first, second] = [path(first)?, path(second)?];
+        let mut pair = Self {
+            travel: [0.0; 2],
+            by_second: second.turn() < first.turn(),
+            first,
+            second,
+        };
+        if let Some((gap, normal)) = pair.nearest().filter(|(gap, _)| *gap > 0.0) {
+            pair.travel = normal.map(|part| -gap * part);
+            pair.first = pair.first.moved(pair.travel);
+        }
+        Some(pair)
+    }
+
+    /// The least gap and the normal there.
+    fn nearest(&self) -> Option<(f64, Point)> {
+        let half = 0.5 * self.extent();
+        let step = 2.0 * half / PLACES as f64;
+        let way = |at: f64| self.way(at).map_or(f64::INFINITY, |(way, _)| way);
+        let places = (0..=PLACES).map(|k| -half + step * k as f64);
+        let coarse = places.min_by(|a, b| way(*a).total_cmp(&way(*b)))?;
+        let [mut low, mut high] = [(coarse - step).max(-half), (coarse + step).min(half)];
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        for _ in 0..SECTIONS {
+            let [inner, outer] = [high - golden * (high - low), low + golden * (high - low)];
+            if way(inner) <= way(outer) {
+                high = outer;
+            } else {
+                low = inner;
+            }
+        }
+        let fine = [coarse, 0.5 * (low + high)];
+        let at = fine
+            .into_iter()
+            .min_by(|a, b| way(*a).total_cmp(&way(*b)))?;
+        self.way(at)
     }
 
     /// Length of the first edge `[mm]`, farther than which nothing moves.
@@ -55,17 +99,33 @@ impl OpenPair {
 
     /// Unit normal into the first body at the place `at`.
     pub(super) fn normal(&self, at: f64) -> Point {
-        self.first.left(self.along(at))
+        let own = self.first.left(self.along(at));
+        self.way(at).map_or(own, |(_, normal)| normal)
     }
 
     /// The initial gap at the place `at` `[mm]`; `None` where it faces nothing.
     pub(super) fn gap(&self, at: f64) -> Option<f64> {
+        let (way, normal) = self.way(at)?;
+        Some(way - dot(normal, self.travel))
+    }
+
+    /// The way from the moved first edge to the second at the place `at` `[mm]`, and the normal along which it is measured.
+    fn way(&self, at: f64) -> Option<(f64, Point)> {
         let s = self.along(at);
-        let (from, normal) = (self.first.at(s), self.first.left(s));
-        let crossings = self.second.crossings(from, normal.map(|part| -part));
-        let facing = crossings.filter(|&(_, place)| dot(self.second.left(place), normal) < -ASKEW);
-        let ways = facing.map(|(way, _)| way);
-        ways.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+        let (from, own) = (self.first.at(s), self.first.left(s));
+        if !self.by_second {
+            let crossings = self.second.crossings(from, own.map(|part| -part));
+            let facing = crossings.filter(|&(_, place)| dot(self.second.left(place), own) < -ASKEW);
+            let ways = facing.map(|(way, _)| (way, own));
+            return ways.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        }
+        let place = self.second.nearest(from);
+        let (foot, left) = (self.second.at(place), self.second.left(place));
+        let apart = [from[0] - foot[0], from[1] - foot[1]];
+        // Beside an end or a corner the nearest place is on no normal.
+        let is_beside = dot(apart, self.second.tangent(place)).abs() > ROUNDING * self.extent();
+        let faces = dot(left, own) < -ASKEW && !is_beside;
+        faces.then(|| (-dot(apart, left), left.map(|part| -part)))
     }
 
     /// Arc length from the beginning of the first edge.
@@ -73,14 +133,32 @@ impl OpenPair {
         at + 0.5 * self.first.length()
     }
 
-    /// The place that a point faces, beyond the ends along the tangents there; what is rounding beside the length is the middle.
+    /// The place that a node `at` of the first edge has; what is rounding beside the length is the middle.
+    fn place(&self, at: Point) -> f64 {
+        let moved = [at[0] + self.travel[0], at[1] + self.travel[1]];
+        self.from_middle(self.first.nearest(moved))
+    }
+
+    /// The place of the moved first edge that a point of the second faces, beyond the ends along the tangents there.
     fn facing(&self, point: Point) -> f64 {
-        let length = self.first.length();
+        if self.by_second {
+            let normal = self.second.left(self.second.nearest(point));
+            let crossings = self.first.crossings(point, normal);
+            let facing = crossings.filter(|&(_, s)| dot(self.first.left(s), normal) < -ASKEW);
+            if let Some((_, s)) = facing.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())) {
+                return self.from_middle(s);
+            }
+        }
         let s = self.first.nearest(point);
         let (foot, tangent) = (self.first.at(s), self.first.tangent(s));
         let beyond = dot([point[0] - foot[0], point[1] - foot[1]], tangent);
-        let is_end = s <= 0.0 || s >= length;
-        let at = s + if is_end { beyond } else { 0.0 } - 0.5 * length;
+        let is_end = s <= 0.0 || s >= self.first.length();
+        self.from_middle(s + if is_end { beyond } else { 0.0 })
+    }
+
+    fn from_middle(&self, s: f64) -> f64 {
+        let length = self.first.length();
+        let at = s - 0.5 * length;
         if at.abs() < ROUNDING * length {
             0.0
         } else {
@@ -94,11 +172,13 @@ impl OpenPair {
         dot(own, self.first.left(self.first.nearest(point))) < -ASKEW
     }
 
-    /// The least gap in `range`, of [`SAMPLES`] places and its ends; `None` if one of them faces nothing.
-    fn least_gap(&self, [from, to]: [f64; 2]) -> Option<f64> {
+    /// The least way in `range`, of [`SAMPLES`] places and its ends; `None` if one of them faces nothing.
+    fn least_way(&self, [from, to]: [f64; 2]) -> Option<f64> {
         let at = |k: usize| from + (to - from) * k as f64 / SAMPLES as f64;
-        let gaps: Option<Vec<f64>> = (0..=SAMPLES).map(|k| self.gap(at(k))).collect();
-        Some(gaps?.into_iter().fold(f64::INFINITY, f64::min))
+        let ways: Option<Vec<f64>> = (0..=SAMPLES)
+            .map(|k| self.way(at(k)).map(|(way, _)| way))
+            .collect();
+        Some(ways?.into_iter().fold(f64::INFINITY, f64::min))
     }
 
     /// The nodes of the two edges where these face each other, the first ascending along it, the second by the places that they face; those of a rigid second body do not exist.
@@ -129,7 +209,9 @@ impl OpenPair {
         let lower = if is_rigid {
             None
         } else {
-            let walked = self.walk(&sides[1], meshes)?.reversed();
+            let walked = self
+                .walk(&sides[1], meshes, |at| self.facing(at))?
+                .reversed();
             let kept = self.facing_cells(&walked).ok_or_else(facing_nothing)?;
             Some(self.edge_nodes(&walked, kept))
         };
@@ -138,7 +220,7 @@ impl OpenPair {
             let places = &lower.parameter;
             [places[0], places[places.len() - 1]]
         });
-        let walked = self.walk(&sides[0], meshes)?;
+        let walked = self.walk(&sides[0], meshes, |at| self.place(at))?;
         let gaps = self.gaps(&walked, reach);
         let kept = run_around_least(&gaps).ok_or_else(facing_nothing)?;
         let least = gaps[kept.clone()]
@@ -160,11 +242,12 @@ impl OpenPair {
         Ok((upper, lower))
     }
 
-    /// The nodes of an edge with the places that they face.
+    /// The nodes of an edge with their places by `place`.
     fn walk<'m>(
         &self,
         side: &Placed<'_, SetRef>,
         meshes: &'m Meshes,
+        place: impl Fn(Point) -> f64,
     ) -> Result<Walked<'m>, ModelError> {
         let mesh = &*meshes[&side.body];
         let path = mesh
@@ -173,10 +256,7 @@ impl OpenPair {
                 body: side.of.body.clone(),
                 cause,
             })?;
-        let places = path
-            .nodes
-            .iter()
-            .map(|&node| self.facing(mesh.nodes()[node]));
+        let places = path.nodes.iter().map(|&node| place(mesh.nodes()[node]));
         Ok(Walked {
             mesh,
             places: places.collect(),
@@ -191,7 +271,7 @@ impl OpenPair {
             let ends = [cell, cell + 1].map(|corner| places[corner * path.order]);
             let shared = [ends[0].max(from), ends[1].min(to)];
             (shared[0] < shared[1])
-                .then(|| self.least_gap(shared))
+                .then(|| self.least_way(shared))
                 .flatten()
         };
         (0..path.edges.len()).map(least).collect()
@@ -205,7 +285,9 @@ impl OpenPair {
             let nodes = cell * path.order..=(cell + 1) * path.order;
             let (at, own) = (&places[nodes.clone()], &path.nodes[nodes]);
             let points = || own.iter().map(|&node| mesh.nodes()[node]);
-            let faces = at.windows(2).all(|pair| pair[0] < pair[1])
+            let ascends = at.windows(2).all(|pair| pair[0] < pair[1]);
+            let faces = ascends
+                && (path.order != 2 || is_even(at))
                 && at[path.order] > -half
                 && at[0] < half
                 && points().all(|point| self.opposes(point));
@@ -259,6 +341,12 @@ impl Walked<'_> {
         self.places.reverse();
         self
     }
+}
+
+/// Whether the middle of three places lies in the middle half between the others, where a quadratic edge does not fold.
+fn is_even(at: &[f64]) -> bool {
+    let part = (at[1] - at[0]) / (at[2] - at[0]);
+    (0.25..=0.75).contains(&part)
 }
 
 fn dot(a: Point, b: Point) -> f64 {

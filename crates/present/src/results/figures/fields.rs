@@ -317,6 +317,10 @@ fn von_mises(scene: &Scene<'_>) -> Attempt {
 }
 
 fn normal_stress(scene: &Scene<'_>) -> Attempt {
+    // Along lines and arcs no component of the plane is the one across the contact everywhere.
+    if scene.edge.geometry.kind == EdgeKind::Path {
+        return Ok(None);
+    }
     let symbol = scene.edge.stress_symbols()[0];
     let values = scene.values(|polar, stress| polar.map_or(stress[1], |polar| polar[0]));
     let label = format!("{symbol} [{}]", scene.edge.units().stress.name);
