@@ -278,9 +278,9 @@ fn bodies_that_start_apart_press_as_those_that_touch() {
 #[test]
 fn without_friction_nothing_holds_a_body_along_a_flat() {
     for changes in [
-        &[r#"contacts.0.friction.coulomb.mu=0"#][..],
+        &["contacts.0.friction.coulomb.mu=0"][..],
         &[
-            r#"contacts.0.friction.coulomb.mu=0"#,
+            "contacts.0.friction.coulomb.mu=0",
             r#"contacts.0.first="block.face""#,
             r#"contacts.0.second="nose.face""#,
         ],

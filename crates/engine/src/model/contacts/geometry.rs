@@ -69,7 +69,7 @@ impl Geometry {
     pub(super) fn gap(&self, kind: GapKind, at: f64) -> Option<f64> {
         match (self, kind) {
             (_, GapKind::Faceted) => None,
-            (Self::Open(pair), _) => Some(pair.gap(at).unwrap_or_else(|| pair.extent())),
+            (Self::Open(pair), _) => Some(pair.gap(at).unwrap_or_else(|| pair.never())),
             (
                 Self::Circles {
                     radius,

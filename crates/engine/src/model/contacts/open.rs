@@ -92,8 +92,12 @@ impl OpenPair {
         self.way(at)
     }
 
-    /// Length of the first edge `[mm]`, farther than which nothing moves.
-    pub(super) fn extent(&self) -> f64 {
+    /// A gap `[mm]` that nothing closes: the length of the first edge beyond where the bodies have travelled.
+    pub(super) fn never(&self) -> f64 {
+        self.extent() + dot(self.travel, self.travel).sqrt()
+    }
+
+    fn extent(&self) -> f64 {
         self.first.length()
     }
 
@@ -136,7 +140,7 @@ impl OpenPair {
     /// The place that a node `at` of the first edge has; what is rounding beside the length is the middle.
     fn place(&self, at: Point) -> f64 {
         let moved = [at[0] + self.travel[0], at[1] + self.travel[1]];
-        self.from_middle(self.first.nearest(moved))
+        self.centred(self.first.nearest(moved))
     }
 
     /// The place of the moved first edge that a point of the second faces, beyond the ends along the tangents there.
@@ -146,17 +150,17 @@ impl OpenPair {
             let crossings = self.first.crossings(point, normal);
             let facing = crossings.filter(|&(_, s)| dot(self.first.left(s), normal) < -ASKEW);
             if let Some((_, s)) = facing.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())) {
-                return self.from_middle(s);
+                return self.centred(s);
             }
         }
         let s = self.first.nearest(point);
         let (foot, tangent) = (self.first.at(s), self.first.tangent(s));
         let beyond = dot([point[0] - foot[0], point[1] - foot[1]], tangent);
         let is_end = s <= 0.0 || s >= self.first.length();
-        self.from_middle(s + if is_end { beyond } else { 0.0 })
+        self.centred(s + if is_end { beyond } else { 0.0 })
     }
 
-    fn from_middle(&self, s: f64) -> f64 {
+    fn centred(&self, s: f64) -> f64 {
         let length = self.first.length();
         let at = s - 0.5 * length;
         if at.abs() < ROUNDING * length {
@@ -209,9 +213,7 @@ impl OpenPair {
         let lower = if is_rigid {
             None
         } else {
-            let walked = self
-                .walk(&sides[1], meshes, |at| self.facing(at))?
-                .reversed();
+            let walked = walk(&sides[1], meshes, |at| self.facing(at))?.reversed();
             let kept = self.facing_cells(&walked).ok_or_else(facing_nothing)?;
             Some(self.edge_nodes(&walked, kept))
         };
@@ -220,7 +222,7 @@ impl OpenPair {
             let places = &lower.parameter;
             [places[0], places[places.len() - 1]]
         });
-        let walked = self.walk(&sides[0], meshes, |at| self.place(at))?;
+        let walked = walk(&sides[0], meshes, |at| self.place(at))?;
         let gaps = self.gaps(&walked, reach);
         let kept = run_around_least(&gaps).ok_or_else(facing_nothing)?;
         let least = gaps[kept.clone()]
@@ -240,28 +242,6 @@ impl OpenPair {
             ..self.edge_nodes(&walked, kept)
         };
         Ok((upper, lower))
-    }
-
-    /// The nodes of an edge with their places by `place`.
-    fn walk<'m>(
-        &self,
-        side: &Placed<'_, SetRef>,
-        meshes: &'m Meshes,
-        place: impl Fn(Point) -> f64,
-    ) -> Result<Walked<'m>, ModelError> {
-        let mesh = &*meshes[&side.body];
-        let path = mesh
-            .edge_path(&side.of.set)
-            .map_err(|cause| ModelError::Mesh {
-                body: side.of.body.clone(),
-                cause,
-            })?;
-        let places = path.nodes.iter().map(|&node| place(mesh.nodes()[node]));
-        Ok(Walked {
-            mesh,
-            places: places.collect(),
-            path,
-        })
     }
 
     /// The least gap of every cell of the first edge within `reach`; `None` where it faces nothing.
@@ -351,6 +331,27 @@ fn is_even(at: &[f64]) -> bool {
 
 fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1]
+}
+
+/// The nodes of an edge with their places by `place`.
+fn walk<'m>(
+    side: &Placed<'_, SetRef>,
+    meshes: &'m Meshes,
+    place: impl Fn(Point) -> f64,
+) -> Result<Walked<'m>, ModelError> {
+    let mesh = &*meshes[&side.body];
+    let path = mesh
+        .edge_path(&side.of.set)
+        .map_err(|cause| ModelError::Mesh {
+            body: side.of.body.clone(),
+            cause,
+        })?;
+    let places = path.nodes.iter().map(|&node| place(mesh.nodes()[node]));
+    Ok(Walked {
+        mesh,
+        places: places.collect(),
+        path,
+    })
 }
 
 /// The longest run of known values around the least of them.

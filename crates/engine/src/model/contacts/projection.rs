@@ -302,7 +302,7 @@ impl Tied<'_> {
         // Rows of results are nodes of the first edge, so each must have its point.
         let (found, nodes) = (made.points.len(), edge.nodes.len());
         if let (Geometry::Open(pair), true) = (self.geometry, found < nodes) {
-            return Ok(self.completed(made, pair.extent(), first, second));
+            return Ok(self.completed(made, pair.never(), first, second));
         }
         if found != nodes {
             return Err(self.refuse(format!(
