@@ -189,12 +189,14 @@ fn the_reader_accepts_every_example() {
             let outline = outline.then(|| format!("{place}.shape={OUTLINE}"));
             let needed = needed(&table).into_iter().chain(outline);
             let overrides: Vec<_> = needed.chain([own]).collect();
-            // Elsewhere the base may no longer fit: a plate that became a block has no hole.
+            // Elsewhere the base may no longer fit: a plate that became a block has no hole. Nor has it the bolts of a fastener.
             let findings = read(&overrides)
                 .err()
                 .map_or(Vec::new(), |error| error.findings().to_vec());
             for finding in findings {
-                assert!(!finding.key.starts_with(&place), "{overrides:?}: {finding}");
+                let is_own = finding.key.starts_with(&place);
+                let lacks_bolt = finding.to_string().contains("there is no body 'bolt-");
+                assert!(!is_own || lacks_bolt, "{overrides:?}: {finding}");
             }
             count += 1;
         }
