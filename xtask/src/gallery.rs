@@ -68,7 +68,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
         };
         write!(
             page,
-            "\n## {}\n\n{} `stickslip run scenes/{name}.toml`\n\n<img src=\"{name}-sketch.png\" width=\"45%\" alt=\"Sketch of the scene\"> <img src=\"{name}-figure.png\" width=\"50%\" alt=\"{}\">\n",
+            "\n## {}\n\n{} `stickslip run scenes/{name}.toml`\n\n| scene | {} |\n| --- | --- |\n| ![Sketch of the scene]({name}-sketch.png) | ![{2}]({name}-figure.png) |\n",
             text("title"),
             text("description"),
             caption(figure),
