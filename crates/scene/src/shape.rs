@@ -15,6 +15,7 @@
 //! the generator of the mesh and one line of description. The rest of the program does not depend on the shape of a body.
 
 mod block;
+mod curve;
 mod cylinder;
 mod disk;
 mod hole;
@@ -39,8 +40,9 @@ use crate::units::{Length, Quantity};
 
 pub use stickslip_mesher::Path;
 
+pub use self::curve::Curve;
 pub(crate) use self::outline::Sizes;
-pub use self::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Touch};
+pub use self::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Touch};
 
 /// Makes everything that lists the shapes: the shape, and its table in scenes.
 macro_rules! shapes {

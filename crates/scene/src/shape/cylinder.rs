@@ -3,8 +3,9 @@
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::mesh::Point;
 
+use super::curve::Curve;
 use super::line_contact;
-use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::document::child;
 use crate::units::{Length, Quantity};

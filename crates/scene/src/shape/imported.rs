@@ -16,7 +16,8 @@ use stickslip_mesh_files::{
 };
 
 use super::Shape;
-use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use super::curve::Curve;
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, NONE, REQUIRED, text, words};
 use crate::digest::sha256;
 use crate::document::child;

@@ -3,7 +3,8 @@
 use stickslip_fem_core::generate::{CylinderOnBlock, Generate, GenerateError, MeshEstimate};
 use stickslip_fem_core::mesh::Mesh;
 
-use super::outline::{Curve, Divided, DivisionError, Meshing, Outline, Role};
+use super::curve::Curve;
+use super::outline::{Divided, DivisionError, Meshing, Outline, Role};
 
 /// The keys that divide a cap and its surface.
 pub(super) const MESH_KEYS: &[&str] = &["spacing", "fine_to"];

@@ -1,7 +1,7 @@
 //! What a shape brings: its edges and points, its extent and symmetry, its mesh, and how it is described.
 
 use std::borrow::Cow;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::fmt;
 use std::path::Path;
 
@@ -9,10 +9,8 @@ use stickslip_fem_core::generate::{Extent, Generate, GenerateError};
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 use thiserror::Error;
 
-use stickslip_mesher as mesher;
-use stickslip_mesher::Stretch;
-
 use super::Shape;
+use super::curve::Curve;
 use crate::units::{Length, Quantity};
 
 /// A body's shape. Coordinates are those of the body, whose centre stands where [`placement`](crate::placement) puts it; all
@@ -147,217 +145,6 @@ pub struct Edge {
     pub role: Role,
     /// Key of the size that places it, below `shape`: of a circle its radius, of a straight edge its distance from the centre.
     pub size: Option<Cow<'static, str>>,
-}
-
-/// An exact curve.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Curve {
-    /// A closed circle.
-    Circle {
-        /// Its centre.
-        centre: Point,
-        /// Its radius.
-        radius: f64,
-    },
-    /// A part of a circle.
-    Arc {
-        /// Centre of the circle.
-        centre: Point,
-        /// Radius of the circle.
-        radius: f64,
-        /// Its ends; on the way from the first to the second the body is on the left.
-        ends: [Point; 2],
-        /// The angle on that way, counter-clockwise positive `[rad]`, less than 2π in magnitude.
-        turn: f64,
-    },
-    /// A straight line.
-    Segment {
-        /// Its ends; on the way from the first to the second the body is on the left.
-        ends: [Point; 2],
-    },
-    /// Anything else: several lines and arcs, or an edge of a mesh whose curve is not known.
-    Chain {
-        /// The smallest and the largest x and y of its points.
-        bounds: [Point; 2],
-        /// Its lines and arcs with the body on their left; empty where they are not known.
-        stretches: Vec<Stretch>,
-    },
-}
-
-impl Curve {
-    /// A curve of which the nodes `places` are known.
-    pub(super) fn chain(places: &[Point]) -> Self {
-        let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        let bounds = places.iter().fold(start, |[low, high], at| {
-            let less = [0, 1].map(|axis| f64::min(low[axis], at[axis]));
-            let more = [0, 1].map(|axis| f64::max(high[axis], at[axis]));
-            [less, more]
-        });
-        Self::Chain {
-            bounds,
-            stretches: Vec::new(),
-        }
-    }
-
-    /// The curve along all of `curves`, each of which is a line or an arc that begins where the one before ends.
-    pub(super) fn joined(curves: &[&Self]) -> Self {
-        let stretches: Vec<Stretch> = curves.iter().filter_map(|own| own.stretch()).collect();
-        match (curves, stretches.as_slice()) {
-            (&[only], _) => only.clone(),
-            (_, [first, .., last]) if are_straight(&stretches) => Self::Segment {
-                ends: [first.ends[0], last.ends[1]],
-            },
-            _ => {
-                let range = |axis| {
-                    let all = curves.iter().map(move |own| own.range(axis));
-                    all.fold(
-                        [f64::INFINITY, f64::NEG_INFINITY],
-                        |[low, high], [least, most]| [low.min(least), high.max(most)],
-                    )
-                };
-                let [x, y] = [range(0), range(1)];
-                Self::Chain {
-                    bounds: [[x[0], y[0]], [x[1], y[1]]],
-                    stretches,
-                }
-            }
-        }
-    }
-
-    /// The lines and arcs of an open curve with the body on their left; `None` of a circle, and where they are not known.
-    pub fn path(&self) -> Option<mesher::Path> {
-        match self {
-            Self::Circle { .. } => None,
-            Self::Chain { stretches, .. } => mesher::Path::new(stretches),
-            Self::Segment { .. } | Self::Arc { .. } => mesher::Path::new(&[self.stretch()?]),
-        }
-    }
-
-    /// One line or arc.
-    pub(super) fn stretch(&self) -> Option<Stretch> {
-        match *self {
-            Self::Segment { ends } => Some(Stretch {
-                ends,
-                through: None,
-            }),
-            Self::Arc {
-                centre, ends, turn, ..
-            } => {
-                let (sin, cos) = (0.5 * turn).sin_cos();
-                let [x, y] = [0, 1].map(|axis| ends[0][axis] - centre[axis]);
-                let through = [centre[0] + cos * x - sin * y, centre[1] + sin * x + cos * y];
-                Some(Stretch {
-                    ends,
-                    through: Some(through),
-                })
-            }
-            Self::Circle { .. } | Self::Chain { .. } => None,
-        }
-    }
-
-    /// The arc from `from` through `through` to `to`; `None` where they lie on a line.
-    pub(super) fn through(from: Point, through: Point, to: Point) -> Option<Self> {
-        // About the first point, whose distance from the centre is the radius.
-        let [[ax, ay], [bx, by]] = [through, to].map(|at| [at[0] - from[0], at[1] - from[1]]);
-        let twice_area = ax * by - ay * bx;
-        let (a, b) = (ax * ax + ay * ay, bx * bx + by * by);
-        let aside = [(by * a - ay * b), (ax * b - bx * a)].map(|part| 0.5 * part / twice_area);
-        let centre = [from[0] + aside[0], from[1] + aside[1]];
-        let angle = |at: Point| (at[1] - centre[1]).atan2(at[0] - centre[0]);
-        let ahead = (angle(to) - angle(from)).rem_euclid(TAU);
-        let turn = if twice_area > 0.0 { ahead } else { ahead - TAU };
-        (centre[0].is_finite() && centre[1].is_finite()).then_some(Self::Arc {
-            centre,
-            radius: aside[0].hypot(aside[1]),
-            ends: [from, to],
-            turn,
-        })
-    }
-
-    /// The same curve moved by `by` `[mm]`.
-    pub(super) fn moved(&self, by: Point) -> Self {
-        let shifted = |[x, y]: Point| [x + by[0], y + by[1]];
-        let stretch = |own: &Stretch| Stretch {
-            ends: own.ends.map(shifted),
-            through: own.through.map(shifted),
-        };
-        match *self {
-            Self::Circle { centre, radius } => Self::Circle {
-                centre: shifted(centre),
-                radius,
-            },
-            Self::Arc {
-                centre,
-                radius,
-                ends,
-                turn,
-            } => Self::Arc {
-                centre: shifted(centre),
-                radius,
-                ends: ends.map(shifted),
-                turn,
-            },
-            Self::Segment { ends } => Self::Segment {
-                ends: ends.map(shifted),
-            },
-            Self::Chain {
-                bounds,
-                ref stretches,
-            } => Self::Chain {
-                bounds: bounds.map(shifted),
-                stretches: stretches.iter().map(stretch).collect(),
-            },
-        }
-    }
-
-    /// The least and the greatest coordinate along `axis` (0 for x, 1 for y).
-    fn range(&self, axis: usize) -> [f64; 2] {
-        let points = match *self {
-            Self::Circle { centre, radius } => {
-                return [centre[axis] - radius, centre[axis] + radius];
-            }
-            Self::Segment { ends } | Self::Chain { bounds: ends, .. } => ends.to_vec(),
-            Self::Arc {
-                centre,
-                radius,
-                ends,
-                turn,
-            } => {
-                let extremes = [-radius, radius].map(|step| {
-                    let mut extreme = centre;
-                    extreme[axis] += step;
-                    extreme
-                });
-                let own = extremes
-                    .into_iter()
-                    .filter(|&at| is_passed(centre, ends[0], turn, at));
-                own.chain(ends).collect()
-            }
-        };
-        let along = points.iter().map(|point| point[axis]);
-        along.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], at| {
-            [least.min(at), most.max(at)]
-        })
-    }
-}
-
-/// Whether lines that follow one another make one line.
-fn are_straight(lines: &[Stretch]) -> bool {
-    const STRAIGHT: f64 = 1e-9;
-    let along = |own: &Stretch| [0, 1].map(|axis| own.ends[1][axis] - own.ends[0][axis]);
-    lines.iter().all(|own| own.through.is_none())
-        && lines.windows(2).all(|pair| {
-            let [[ax, ay], [bx, by]] = [along(&pair[0]), along(&pair[1])];
-            (ax * by - ay * bx).abs() <= STRAIGHT * ax.hypot(ay) * bx.hypot(by)
-                && ax * bx + ay * by > 0.0
-        })
-}
-
-/// Whether the way along a circle about `centre` from the point `from` through the angle `turn` passes its point `at`.
-fn is_passed(centre: Point, from: Point, turn: f64, at: Point) -> bool {
-    let angle = |point: Point| (point[1] - centre[1]).atan2(point[0] - centre[0]);
-    let ahead = (angle(at) - angle(from)) * turn.signum();
-    ahead.rem_euclid(TAU) < turn.abs()
 }
 
 /// The part of an edge in contacts, or in the size of a plate around a hole. A hole takes a rim; a cap takes a surface, and the two bodies
@@ -616,6 +403,8 @@ pub(crate) trait Sizes {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::*;
 
     fn segment(from: Point, to: Point) -> Edge {

@@ -19,8 +19,9 @@ use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
 
 use super::Shape;
+use super::curve::Curve;
 use super::hole::MESH_KEYS;
-use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{
     Key, NONE, POSITIVE, REQUIRED, Range, Table, length, number, numbers, tables_of, text, words,
 };
