@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use stickslip::model::Model;
-use stickslip::results::{EdgeResults, Results};
+use stickslip::results::{ContactFinding, EdgeResults, Finding, Results};
 
 use super::{scene, solved};
 
@@ -299,4 +299,24 @@ fn without_friction_nothing_holds_a_body_along_a_flat() {
             "{refused}"
         );
     }
+}
+
+#[test]
+fn a_second_edge_of_few_cells_is_reported() {
+    let unresolved = |changes: &[&str]| {
+        let results = solved(&nose(""), changes);
+        let mut findings = results.findings.iter();
+        findings.any(|own| {
+            matches!(
+                own,
+                Finding::Contact {
+                    finding: ContactFinding::Unresolved { .. },
+                    ..
+                }
+            )
+        })
+    };
+    let face = "bodies.block.shape.outline.edges.2.refine";
+    assert!(!unresolved(&[&format!("{face}=12.0")]));
+    assert!(unresolved(&[&format!("{face}=1.0")]));
 }

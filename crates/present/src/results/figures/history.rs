@@ -175,8 +175,12 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
     let meaning = if view.is_circle() {
         "q is positive where friction pulls the first body along the edge towards the bearing point of the step, negative where it pulls \
          away from it. Where all slips one way under one coefficient μ the ratio is ±μ."
+            .to_owned()
     } else {
-        "Q is the tangential force on the first body along +x, N the normal force; |Q/N| = μ means that all slips."
+        format!(
+            "Q is the tangential force on the first body along +{}, N the normal force; |Q/N| = μ means that all slips.",
+            view.place_symbol()
+        )
     };
     let caption = format!(
         "{name} through the load history. {meaning} The largest magnitude, {}, is at {}.",
