@@ -4,6 +4,7 @@ use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, MeshParts, Point};
 
 use crate::chain;
 use crate::error::CurveError;
+use crate::pieces::recognise_pieces;
 use crate::recognise::{Recognised, recognise};
 
 /// Part of the radius by which a mid node is off the circle because of rounding only.
@@ -14,27 +15,73 @@ const ROUNDING: f64 = 1e-14;
 /// # Errors
 /// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if its edges do not form one chain; [`CurveError::NoCurve`].
 pub fn recognise_set(parts: &MeshParts, set: &str) -> Result<Recognised, CurveError> {
-    let edges = edges(parts, set)?;
-    let name = || set.to_owned();
-    let ends: Option<Vec<[usize; 2]>> = edges.iter().map(Edge::ends).collect();
-    let chain = ends.and_then(|ends| chain::join(&ends));
-    let (Some(chain), Some(first)) = (chain, edges.first()) else {
-        return Err(CurveError::NoChain { set: name() });
-    };
-    let order = first.kind.order();
-    let mut walk = Vec::with_capacity(order * edges.len() + 1);
-    let mut last = None;
-    // The chain holds positions of edges.
-    for edge in chain.order.iter().map(|&k| &edges[k]) {
-        walk.extend(edge.ends().map(|[start, _]| start));
-        walk.extend(edge.inner());
-        last = edge.ends().map(|[_, end]| end);
+    let Walk {
+        nodes,
+        closed,
+        order,
+    } = Walk::of(parts, set)?;
+    let found = recognise(&parts.nodes, &nodes, closed, order);
+    let set = set.to_owned();
+    found.ok_or(CurveError::NoCurve { set })
+}
+
+/// The nodes of an edge set in order.
+struct Walk {
+    nodes: Vec<usize>,
+    closed: bool,
+    order: usize,
+}
+
+impl Walk {
+    fn of(parts: &MeshParts, set: &str) -> Result<Self, CurveError> {
+        let edges = edges(parts, set)?;
+        let ends: Option<Vec<[usize; 2]>> = edges.iter().map(Edge::ends).collect();
+        let chain = ends.and_then(|ends| chain::join(&ends));
+        let (Some(chain), Some(first)) = (chain, edges.first()) else {
+            let set = set.to_owned();
+            return Err(CurveError::NoChain { set });
+        };
+        let order = first.kind.order();
+        let mut nodes = Vec::with_capacity(order * edges.len() + 1);
+        let mut last = None;
+        // The chain holds positions of edges.
+        for edge in chain.order.iter().map(|&k| &edges[k]) {
+            nodes.extend(edge.ends().map(|[start, _]| start));
+            nodes.extend(edge.inner());
+            last = edge.ends().map(|[_, end]| end);
+        }
+        if !chain.closed {
+            nodes.extend(last);
+        }
+        Ok(Self {
+            nodes,
+            closed: chain.closed,
+            order,
+        })
     }
-    if !chain.closed {
-        walk.extend(last);
+}
+
+/// Moves the mid nodes of the arcs of edge set `set`, an open chain of lines and arcs, from the chords of its edges onto them, and returns how many were moved; none
+/// of other sets.
+///
+/// # Errors
+/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if its edges do not form one chain.
+pub fn snap_pieces(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
+    let walk = Walk::of(parts, set)?;
+    let open = (!walk.closed).then_some(&walk.nodes);
+    let pieces = open.and_then(|nodes| recognise_pieces(&parts.nodes, nodes, walk.order));
+    let mut moved = 0;
+    for piece in pieces.into_iter().flatten() {
+        let Curve::Arc { centre, radius } = piece.curve else {
+            continue;
+        };
+        for position in piece.nodes.filter(|position| position % walk.order != 0) {
+            if let Some(point) = parts.nodes.get_mut(walk.nodes[position]) {
+                moved += usize::from(project(point, centre, radius));
+            }
+        }
     }
-    let found = recognise(&parts.nodes, &walk, chain.closed, order);
-    found.ok_or_else(|| CurveError::NoCurve { set: name() })
+    Ok(moved)
 }
 
 /// Moves the mid nodes of edge set `set` from the chords of its edges onto the circle that its corner nodes lie on, and stores the curve in

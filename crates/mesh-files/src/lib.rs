@@ -39,6 +39,7 @@ mod gmsh;
 mod lines;
 mod note;
 mod numbers;
+mod pieces;
 mod place;
 mod raw;
 mod recognise;
@@ -47,9 +48,10 @@ mod write;
 
 use stickslip_fem_core::mesh::MeshParts;
 
-pub use curves::{recognise_set, snap};
+pub use curves::{recognise_set, snap, snap_pieces};
 pub use error::{CurveError, ReadError, Unsupported, WriteError};
 pub use note::Note;
+pub use pieces::{Piece, recognise_pieces};
 pub use place::Place;
 pub use recognise::{Recognised, best_circle, recognise};
 pub use write::{write_inp, write_msh};

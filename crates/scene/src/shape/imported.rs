@@ -1,6 +1,8 @@
 //! `mesh`: a body whose mesh is in a file of another program.
 //!
-//! Its sets name its edges and points. An edge whose nodes lie on a line or a circle is that line or circle.
+//! Its sets name its edges and points. An edge whose nodes lie on a line, on a circle, or on lines and arcs one after another is that curve.
+
+mod edges;
 
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -10,14 +12,14 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate, unit_vector};
-use stickslip_fem_core::mesh::{self, EdgePath, ElementKind, Mesh, Point};
+use stickslip_fem_core::mesh::{self, ElementKind, Mesh, Point};
 use stickslip_mesh_files::{
-    Coincident, Format, Imported, best_circle, read_with, recognise_set, snap,
+    Coincident, Format, Imported, read_with, recognise_set, snap, snap_pieces,
 };
 
+use self::edges::{edges, uneven};
 use super::Shape;
-use super::curve::Curve;
-use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
 use crate::declaration::{Key, NONE, REQUIRED, text, words};
 use crate::digest::sha256;
 use crate::document::child;
@@ -204,7 +206,14 @@ impl GivenMesh {
                         set.curve = Some(curve);
                     }
                 }
-                Err(_) => {}
+                Err(_) => {
+                    let moved = snap_pieces(&mut parts, name).unwrap_or_default();
+                    if moved > 0 {
+                        notes.push(format!(
+                            "{moved} mid nodes of '{name}' were put from chords onto its arcs"
+                        ));
+                    }
+                }
             }
         }
         let points = (parts.node_sets.iter())
@@ -242,86 +251,6 @@ impl GivenMesh {
             notes,
             turn: 0.0,
         })
-    }
-}
-
-/// The edges of the sets `names`.
-fn edges<'a>(mesh: &Mesh, names: impl Iterator<Item = &'a str>) -> Vec<Edge> {
-    let edge = |name: &str| edge(mesh, name, mesh.edge_path(name).ok().as_ref());
-    names.map(edge).collect()
-}
-
-/// By how much the closed chain `path` of the set `name` is no circle, if it is nearly one.
-fn uneven(mesh: &Mesh, name: &str, path: &EdgePath) -> Option<String> {
-    /// Part of its radius by which a chain may leave a circle that it is meant to be.
-    const NEARLY: f64 = 0.05;
-    if mesh.edge_set(name).ok()?.curve.is_some() {
-        return None;
-    }
-    let corners = path.nodes.iter().step_by(path.order);
-    let corners: Vec<Point> = corners.map(|&node| mesh.nodes()[node]).collect();
-    let found = best_circle(&corners)?;
-    let mesh::Curve::Arc { radius, .. } = found.curve else {
-        return None;
-    };
-    (found.residual <= NEARLY * radius).then(|| {
-        format!(
-            "its nodes leave their best circle, of radius {radius:.6} mm, by up to {:.2e} mm",
-            found.residual
-        )
-    })
-}
-
-/// The edge of the set `name`, whose edges form the chain `path` if they form one.
-fn edge(mesh: &Mesh, name: &str, path: Option<&EdgePath>) -> Edge {
-    let at = |node: usize| mesh.nodes()[node];
-    let set = mesh.edge_set(name).ok();
-    let all = (set.iter().flat_map(|set| &set.edges))
-        .flat_map(|&own| mesh.edge_nodes(own).walk().collect::<Vec<_>>());
-    let places: Vec<Point> = match path {
-        Some(path) => path.nodes.iter().map(|&node| at(node)).collect(),
-        None => all.map(at).collect(),
-    };
-    let known = set.and_then(|set| set.curve).filter(|_| path.is_some());
-    let closed = path.is_some_and(|path| path.closed);
-    let ends = [places[0], places[places.len() - 1]];
-    let (curve, role) = match known {
-        Some(mesh::Curve::Arc { centre, radius }) if closed => {
-            let is_hole = turned(centre, &places, closed) < 0.0;
-            let role = if is_hole { Role::Hole } else { Role::Rim };
-            (Curve::Circle { centre, radius }, role)
-        }
-        Some(mesh::Curve::Arc { centre, radius }) => {
-            let turn = turned(centre, &places, closed);
-            let arc = Curve::Arc {
-                centre,
-                radius,
-                ends,
-                turn,
-            };
-            (arc, Role::Free)
-        }
-        Some(mesh::Curve::Line) => (Curve::Segment { ends }, Role::Free),
-        None => (Curve::chain(&places), Role::Free),
-    };
-    Edge {
-        name: Cow::Owned(name.to_owned()),
-        curve,
-        role,
-        size: None,
-    }
-}
-
-/// The angle about `centre` through which a walk along `places` turns, counter-clockwise positive `[rad]`.
-fn turned(centre: Point, places: &[Point], closed: bool) -> f64 {
-    let step = |a: Point, b: Point| {
-        let [u, v] = [a, b].map(|p| [p[0] - centre[0], p[1] - centre[1]]);
-        (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
-    };
-    let along: f64 = places.windows(2).map(|pair| step(pair[0], pair[1])).sum();
-    match (closed, places) {
-        (true, [first, .., last]) => along + step(*last, *first),
-        _ => along,
     }
 }
 
