@@ -99,7 +99,7 @@ impl InterfaceProblem {
         problem.link(bodies, links);
         problem.equilibrate_modes();
         problem.find_sliding_points();
-        problem.compliance_unit = power_of_two_near(problem.compliance.diagonal().amax());
+        problem.compliance_unit = power_of_two_near(problem.largest_give());
         Ok(problem)
     }
 
@@ -330,6 +330,11 @@ impl InterfaceProblem {
     /// Compliance A `[length/force]`, 2n × 2n, symmetric positive semidefinite.
     pub fn compliance(&self) -> &Compliance {
         &self.compliance
+    }
+
+    /// The largest compliance of a point under its own force `[length/force]`.
+    pub fn largest_give(&self) -> f64 {
+        self.compliance.diagonal().amax()
     }
 
     /// The unit of compliance `[length/force]` in which solvers work, so that A and G have entries of one size: forces times this

@@ -67,8 +67,11 @@ impl Scales {
             .points()
             .iter()
             .fold(0.0, |largest: f64, point| largest.max(point.gap.abs()));
+        // Where all points stick, what moves is rounding, and no scale.
+        let give = step.problem.largest_give() * forces.amax();
         let length = motion
             .amax()
+            .max(give)
             .max(step.committed.motion.amax())
             .max(gap)
             .max(step.free_motion.amax());
