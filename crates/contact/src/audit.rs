@@ -7,6 +7,9 @@ use crate::state::ContactState;
 /// is rounding of the forces that were there.
 const FLOOR: f64 = 1e-3;
 
+/// The same part of the largest forces on any of the bodies: a body at rest beside others has rounding alone.
+const FLOOR_OF_ALL: f64 = 1e-6;
+
 /// Resultants and balances at the end of a load step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Audit {
@@ -66,8 +69,8 @@ pub struct FloatingBalance {
     pub unbalanced: f64,
     /// What its forces are measured by `[force]`: its largest load resultant or sum of contact forces |λ| of a pair in this step.
     pub scale: f64,
-    /// The unbalanced resultant relative to [`Self::scale`], or to a thousandth of the body's largest in the whole history where
-    /// that is more; while the history is still being followed, in the steps so far. So a step without load shows rounding too, not
+    /// The unbalanced resultant relative to [`Self::scale`], to a thousandth of the body's largest in the whole history or to a
+    /// millionth of that of all bodies, whichever is more; while the history is still being followed, in the steps so far. So a step without load shows rounding too, not
     /// rounding by rounding.
     pub relative: f64,
 }
@@ -100,12 +103,14 @@ impl FloatingBalance {
             scale: presses.fold(load.amax(), f64::max),
             relative: 0.0,
         };
-        balance.measured_by(0.0);
+        balance.measured_by(0.0, 0.0);
         Some(balance)
     }
 
-    fn measured_by(&mut self, largest: f64) {
-        let scale = self.scale.max(FLOOR * largest);
+    fn measured_by(&mut self, largest: f64, largest_of_all: f64) {
+        let scale = (self.scale)
+            .max(FLOOR * largest)
+            .max(FLOOR_OF_ALL * largest_of_all);
         self.relative = if scale > 0.0 {
             self.unbalanced / scale
         } else {
@@ -122,7 +127,7 @@ impl Audit {
             .filter_map(|body| FloatingBalance::of(problem, state, &pairs, body))
             .collect();
         // Where all points touch, their gaps are rounding, and no scale.
-        let give = problem.compliance().diagonal().amax() * state.forces.amax();
+        let give = problem.largest_give() * state.forces.amax();
         let widest = state.motion.amax().max(give);
         let (mut work, mut effort) = (0.0, 0.0);
         for k in 0..problem.points().len() {
@@ -160,8 +165,9 @@ impl LargestScales {
 
     /// Measures the balance of each body in `audit` by its largest scale.
     pub(crate) fn measure(&self, audit: &mut Audit) {
+        let of_all = self.0.iter().copied().fold(0.0, f64::max);
         for (largest, body) in self.0.iter().zip(&mut audit.bodies) {
-            body.measured_by(*largest);
+            body.measured_by(*largest, of_all);
         }
     }
 }

@@ -23,7 +23,7 @@ pub(super) fn all(
     recovered: &[Recovered],
 ) -> Result<(Vec<EdgeGeometry>, Vec<Vec<EdgeResults>>), StressError> {
     let mut geometries = Vec::with_capacity(model.edges.len());
-    let reported = reported(solved.interface.contacts(), &solved.records);
+    let reported = reported(&solved.interface, &solved.records);
     let mut steps: Vec<Vec<EdgeResults>> = vec![Vec::new(); reported.len()];
     for (index, edge) in model.edges.iter().enumerate() {
         let mut rows = match solved.operators[edge.geometry.body].series() {

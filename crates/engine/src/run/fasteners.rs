@@ -7,7 +7,7 @@ use super::solved::Solved;
 use crate::model::{Model, ModelFastener};
 use crate::results::{Fastener, FastenerStep, Finding, Layer, LayerStep, StepResults};
 
-/// Part of the largest force of a fastener in the history up to which forces are rounding.
+/// Part of the largest force of all fasteners in the history up to which forces are rounding.
 const ROUNDING: f64 = 1e-12;
 /// Part of the sum of forces times heights on a fastener up to which their moment is rounding.
 const BALANCED: f64 = 1e-9;
@@ -39,11 +39,11 @@ pub(super) fn of_steps(model: &Model, solved: &Solved) -> Vec<Vec<FastenerStep>>
         all.collect()
     };
     let mut steps: Vec<Vec<FastenerStep>> = solved.records.iter().map(at).collect();
-    for (index, fastener) in fasteners().enumerate() {
-        let layers = steps.iter().flat_map(|step| &step[index].layers);
-        let largest = layers.map(|layer| size(layer.force)).fold(0.0, f64::max);
-        for step in &mut steps {
-            step[index].without_rounding(largest, &fastener.heights);
+    let layers = steps.iter().flatten().flat_map(|step| &step.layers);
+    let largest = layers.map(|layer| size(layer.force)).fold(0.0, f64::max);
+    for step in &mut steps {
+        for (own, fastener) in step.iter_mut().zip(fasteners()) {
+            own.without_rounding(largest, &fastener.heights);
         }
     }
     steps
@@ -61,7 +61,9 @@ impl FastenerStep {
         }
         let sizes = self.layers.iter().zip(heights);
         let sizes = sizes.map(|(layer, height)| size(layer.force) * height);
-        if size(self.tilting) <= BALANCED * sizes.sum::<f64>().max(ROUNDING * largest) {
+        let highest = heights.last().copied().unwrap_or_default();
+        let rounding = (BALANCED * sizes.sum::<f64>()).max(ROUNDING * largest * highest);
+        if size(self.tilting) <= rounding {
             self.tilting = [0.0; 2];
         }
     }

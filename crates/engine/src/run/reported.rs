@@ -7,14 +7,16 @@ use std::ops::Range;
 
 use nalgebra::DVector;
 use stickslip_contact::audit::PairSums;
-use stickslip_contact::{ContactState, Contacts, Status, StepRecord};
+use stickslip_contact::interface::Part;
+use stickslip_contact::{ContactState, Contacts, Interface, Status, StepRecord};
 
 use crate::results::{EdgeResults, EdgeRow};
 
 /// Forces and lengths up to this part of the largest of their pair in the history are rounding.
 const ROUNDING: f64 = 1e-12;
-/// Up to this part of the largest of all pairs they are rounding too: a pair at rest beside others.
-const REST: f64 = 1e-16;
+/// Up to these parts of the largest of all pairs that bodies link with it they are rounding too: a pair at rest beside others. Forces are verified to 1e-10 of their scale.
+const REST_OF_FORCES: f64 = 1e-10;
+const REST_OF_LENGTHS: f64 = 1e-16;
 /// The same for stresses along an edge: derivatives of displacements lose as many digits as the body is longer than a cell.
 const STRESS_ROUNDING: f64 = 1e-10;
 
@@ -35,9 +37,15 @@ pub(super) struct Reported {
 }
 
 /// All load steps of `records` without rounding.
-pub(super) fn reported(contacts: &Contacts, records: &[StepRecord]) -> Vec<Reported> {
+pub(super) fn reported(interface: &Interface, records: &[StepRecord]) -> Vec<Reported> {
+    let contacts = interface.contacts();
+    let groups = || interface.parts().iter().map(Part::group);
     let cuts: Vec<Cut> = (0..contacts.pairs().len())
-        .map(|pair| Cut::of(contacts, records, pair))
+        .map(|pair| {
+            let linked = groups().find(|group| group.pairs.contains(&pair));
+            let linked = linked.map_or(&[][..], |group| &group.pairs);
+            Cut::of(contacts, records, pair, linked)
+        })
         .collect();
     let mut slip = DVector::zeros(contacts.points().len());
     records
@@ -73,19 +81,24 @@ struct Cut {
 }
 
 impl Cut {
-    fn of(contacts: &Contacts, records: &[StepRecord], pair: usize) -> Self {
+    /// Of the pair `pair`, which bodies link with the pairs `linked`.
+    fn of(contacts: &Contacts, records: &[StepRecord], pair: usize, linked: &[usize]) -> Self {
         let points = contacts.pair_points(pair);
-        let largest = |of: fn(&ContactState) -> &DVector<f64>| {
+        let largest = |of: fn(&ContactState) -> &DVector<f64>, rest: f64| {
             let values = records.iter().map(|record| of(&record.state));
             let sizes = values.map(|all| {
-                let own = all.rows(2 * points.start, 2 * points.len()).amax();
-                (ROUNDING * own).max(REST * all.amax())
+                let size = |pair: usize| {
+                    let points = contacts.pair_points(pair);
+                    all.rows(2 * points.start, 2 * points.len()).amax()
+                };
+                let beside = linked.iter().map(|&pair| size(pair)).fold(0.0, f64::max);
+                (ROUNDING * size(pair)).max(rest * beside)
             });
             sizes.fold(0.0, f64::max)
         };
         Self {
-            force: largest(|state| &state.forces),
-            length: largest(|state| &state.motion),
+            force: largest(|state| &state.forces, REST_OF_FORCES),
+            length: largest(|state| &state.motion, REST_OF_LENGTHS),
             points,
         }
     }

@@ -17,6 +17,8 @@ const FROM_POINT: f64 = 0.4;
 const FROM_END: f64 = 0.05;
 /// Part of a yield stress by which rounding may exceed it.
 const ROUNDING: f64 = 1e-9;
+/// Part of the largest stress of all bodies in the history up to which stresses are rounding.
+const REST: f64 = 1e-12;
 
 /// Stresses (xx, yy, xy) `[MPa]` at every node of the body `index`: of a series, or recovered from patches, and on reported edges from the edge's own strain.
 pub(super) fn at_nodes(
@@ -97,7 +99,25 @@ pub(super) fn put(
                 .extend(largest(model, index, recovered, &stress));
         }
     }
+    clear(steps);
     Ok(())
+}
+
+/// Sets to zero what is rounding beside the largest stress of all bodies in the history.
+fn clear(steps: &mut [StepResults]) {
+    let all = || steps.iter().flat_map(|step| &step.stresses);
+    let rounding = REST * all().fold(0.0, |most: f64, own| most.max(own.von_mises.stress));
+    for own in steps.iter_mut().flat_map(|step| &mut step.stresses) {
+        for peak in [
+            &mut own.von_mises,
+            &mut own.largest_principal,
+            &mut own.least_principal,
+        ] {
+            if peak.stress.abs() <= rounding {
+                peak.stress = 0.0;
+            }
+        }
+    }
 }
 
 /// The largest of the nodal stresses `stress` of the body `index`.

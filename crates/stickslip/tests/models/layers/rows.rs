@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use stickslip::model::Model;
+use stickslip::results::{ContactFinding, Finding};
 use stickslip::run::{displacements_of, solve, solver};
 use stickslip::scene::schema::SolverChoice;
 use stickslip_contact::nalgebra::{DMatrix, DVector};
@@ -165,4 +166,39 @@ fn rows_of_bolts_far_apart_share_their_load_as_springs_and_bars() {
             "{count}: {near} {far}"
         );
     }
+}
+
+/// A bolt that touches nothing has no force, no bearing point and no moment, and nothing is said of the digits of its forces.
+#[test]
+fn a_loose_bolt_beside_tight_ones_carries_nothing() {
+    let loose = (0..3).map(|layer| format!("bodies.s2-{layer}.shape.disk.radius=\"2.5 mm\""));
+    let loose: Vec<String> = loose.collect();
+    let changes: Vec<&str> = loose.iter().map(String::as_str).collect();
+    let text = row(3, 24.0, "beam = { head = \"clamped\", nut = \"clamped\" }");
+    let results = solved(&text, &changes);
+    is_balanced(&results);
+    let step = results.steps.last().unwrap();
+    for layer in &step.fasteners[2].layers {
+        assert_eq!((layer.force, layer.shear), ([0.0; 2], [0.0; 2]));
+    }
+    assert_eq!(step.fasteners[2].tilting, [0.0; 2]);
+    for (edge, own) in results.edges.iter().zip(&step.edges) {
+        let is_loose = edge.name.contains("h2") || edge.name.contains("s2");
+        assert_eq!(own.normal_force == 0.0, is_loose, "{}", edge.name);
+        assert_eq!(own.bearing.is_none(), is_loose, "{}", edge.name);
+    }
+    let kinds = |finding: &&Finding| {
+        matches!(
+            finding,
+            Finding::Unbalanced { .. }
+                | Finding::EccentricLayers { .. }
+                | Finding::Contact {
+                    finding: ContactFinding::Unresolved { .. }
+                        | ContactFinding::BearingPointWanders { .. },
+                    ..
+                }
+        )
+    };
+    let found: Vec<&Finding> = results.findings.iter().filter(kinds).collect();
+    assert!(found.is_empty(), "{found:?}");
 }
