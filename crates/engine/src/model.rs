@@ -32,7 +32,7 @@ use stickslip_fem_core::{CondensedBody, ElasticBody, InterfaceOperator, RigidBod
 use stickslip_friction::Mirror;
 use thiserror::Error;
 
-use crate::results::{Choice, EdgeGeometry, Finding};
+use crate::results::{Choice, EdgeGeometry, EdgeResults, EdgeRow, Finding};
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
@@ -263,17 +263,39 @@ pub struct ModelEdge {
     pub pair: Option<usize>,
     /// Up to where from the bearing point θ = 0 or x = 0 the mesh along it is fine `[rad or mm]`; `None` for all of it.
     pub fine_to: Option<f64>,
-    /// Whether the edge goes on beyond its first and its last node, where it faces nothing.
-    pub goes_on: [bool; 2],
+    /// What lies at its first and its last node, if it touches another open edge.
+    pub ends: [EdgeEnd; 2],
     /// Tractions of the loads on it: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
     pub tractions: Vec<(usize, Vec<[f64; 2]>)>,
 }
 
 impl ModelEdge {
+    /// Whether a corner of one of the bodies presses on the other in `results`, at the first end and at the last: within a cell of it, where the other body's edge
+    /// ends.
+    pub fn corners_that_press(&self, results: &EdgeResults) -> [bool; 2] {
+        let touches = |row: &EdgeRow| row.status.touches();
+        let first = results.rows.iter().take(self.order + 1).any(touches);
+        let last = results.rows.iter().rev().take(self.order + 1).any(touches);
+        let is_corner = self.ends.map(|end| end == EdgeEnd::Corner);
+        [is_corner[0] && first, is_corner[1] && last]
+    }
+
     /// Whether it belongs to the body with the index `body` and something holds it.
     pub fn is_held_on(&self, body: usize) -> bool {
         self.geometry.body == body && !self.reactions.is_empty()
     }
+}
+
+/// What lies at an end of a contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum EdgeEnd {
+    /// Nothing that a reader must know: both bodies end there, or the edge is closed.
+    #[default]
+    Free,
+    /// A body ends there in a corner, and the other goes on.
+    Corner,
+    /// Both bodies go on, and their edges cease to face each other.
+    GoesOn,
 }
 
 /// What is known of a contact beside its points.

@@ -8,6 +8,7 @@ mod frame;
 mod nodes;
 mod placed;
 mod progressive;
+mod quantity;
 mod resolution;
 mod sharing;
 mod stated;
@@ -29,14 +30,16 @@ pub use failure::{
 pub use fastener::{Fastener, FastenerStep, Layer, LayerStep};
 
 pub use finding::{
-    ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
-    JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound, Yield,
+    CoarseLoadPath, ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion,
+    FurtherSolvers, JointFinding, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 
 pub(crate) use nodes::{Nodes, Values, joined, values};
 
 pub use frame::wrapped;
 pub use frame::{BearingSource, ContactFrame};
+
+pub use quantity::Quantity;
 
 pub use sharing::LoadShare;
 

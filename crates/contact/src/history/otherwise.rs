@@ -20,6 +20,14 @@ use crate::uniqueness::{NEAR_BOUND, bound_with_turns_held};
 const ROUNDING: f64 = 1e-9;
 /// Number of increments up to which a step that was cut back is walked again in twice as many.
 const MANY: usize = 32;
+/// Number of increments from which on a load step with friction is not compared with a finer one.
+const DIVIDED: usize = 8;
+/// How many times as many increments a step is compared with that has fewer.
+const FINER: usize = 4;
+/// Floating-point operations that comparisons with more increments may take, or those of the whole history where these are more.
+const EFFORT_ON_PATH: f64 = 3e9;
+/// Cosine of the turn of the load path from which on increments before count for the next step too.
+const STRAIGHT: f64 = 0.99;
 /// Number of touching points up to which the bound of uniqueness is estimated for each step.
 const FEW: usize = 12;
 
@@ -90,6 +98,8 @@ pub struct Otherwise {
     pub missing: Option<Missing>,
     /// By the same solver in twice as many increments: where the step was cut back under friction into few of them.
     pub finer: Option<Difference>,
+    /// By the same solver in four times as many increments: where friction acts, the load path begins or turns, and few increments divide the step.
+    pub path: Option<Result<Difference, Missing>>,
 }
 
 impl Otherwise {
@@ -101,10 +111,12 @@ impl Otherwise {
         let more = |one: Option<Difference>, other: Option<Difference>| {
             one.into_iter().chain(other).reduce(Difference::or_worse)
         };
+        let paths = self.path.into_iter().chain(other.path);
         Self {
             other_solver: more(self.other_solver, other.other_solver),
             missing: self.missing.or(other.missing),
             finer: more(self.finer, other.finer),
+            path: paths.reduce(|one, other| Ok(one?.or_worse(other?))),
         }
     }
 }
@@ -112,8 +124,8 @@ impl Otherwise {
 impl LoadHistory {
     /// Compares each of `records`, which `solver` found of this history, with other ways to the end of its step: with another
     /// solver where friction falls with slip or is not below the estimated bound of uniqueness, contact left gaps undetermined or the
-    /// step was cut back, with smaller increments where it was cut back. It costs nothing where none is so, about as much as the step
-    /// elsewhere.
+    /// step was cut back, with smaller increments where it was cut back, and where the load path begins or turns in fewer than eight. It costs nothing where none is
+    /// so, as much as the step or its increments elsewhere.
     /// Parts of `interface` are compared each for itself, relative to its own largest pressure, and that which differs most is returned.
     pub fn walked_otherwise(
         &self,
@@ -160,6 +172,21 @@ impl LoadHistory {
         all
     }
 
+    /// Whether the load path begins with the step `index`, or goes on in another direction.
+    fn turns(&self, index: usize) -> bool {
+        let at =
+            |count: usize, case: usize| count.checked_sub(1).map_or(0.0, |k| self.steps[k][case]);
+        let (mut product, mut own, mut before) = (0.0, 0.0, 0.0);
+        for case in 0..self.steps[index].len() {
+            let change = at(index + 1, case) - at(index, case);
+            let last = at(index, case) - at(index.saturating_sub(1), case);
+            product += change * last;
+            own += change * change;
+            before += last * last;
+        }
+        product <= STRAIGHT * (own * before).sqrt()
+    }
+
     fn problem_otherwise(
         &self,
         stages: &Stages<'_>,
@@ -180,6 +207,8 @@ impl LoadHistory {
             record.uniqueness.or_else(held)
         });
         let mut effort = Otherwise::EFFORT;
+        let walked = own.iter().map(|record| record.work.operations as f64);
+        let mut effort_on_path = walked.sum::<f64>().max(EFFORT_ON_PATH);
         let mut all = Vec::with_capacity(records.len());
         for (index, record) in own.into_iter().enumerate() {
             let mut found = Otherwise::default();
@@ -194,6 +223,8 @@ impl LoadHistory {
             if record.coefficient > 0.0 {
                 if record.cutbacks > 0 && record.increments <= MANY {
                     found.finer = again().by(solver, solver.name(), 2 * record.increments);
+                } else if record.increments < DIVIDED && self.turns(index) {
+                    found.path = Some(again().in_more(solver, &mut effort_on_path));
                 }
                 if record.cutbacks > 0 || may_have_several(course.problem, record, estimate) {
                     match again().by_another(&mut effort) {
@@ -272,6 +303,21 @@ impl Again<'_> {
         }
         *effort -= cost;
         let found = self.by(&pivoting, pivoting.name(), parts);
+        found.ok_or(Missing::Answer)
+    }
+
+    /// By the same solver in more increments, unless that would take more than `effort`, which is reduced by what it takes.
+    fn in_more(
+        &self,
+        solver: &dyn InterfaceSolver,
+        effort: &mut f64,
+    ) -> Result<Difference, Missing> {
+        let cost = FINER as f64 * self.record.work.operations as f64;
+        if cost > *effort {
+            return Err(Missing::Effort);
+        }
+        *effort -= cost;
+        let found = self.by(solver, solver.name(), FINER * self.record.increments);
         found.ok_or(Missing::Answer)
     }
 

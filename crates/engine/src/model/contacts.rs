@@ -1,6 +1,7 @@
 //! Contact pairs with their frames and exact gaps, and the edges that results are reported on.
 
 mod edge;
+mod ends;
 mod facing;
 mod geometry;
 mod open;
@@ -102,7 +103,7 @@ impl Contacts {
         })?;
         let is_rigid = plan.is_rigid(second.body);
         let (upper, lower) = match &geometry {
-            Geometry::Open(pair) => pair.nodes(planned, meshes, is_rigid, units.length)?,
+            Geometry::Open(pair) => pair.nodes(plan, planned, meshes, is_rigid, units.length)?,
             Geometry::Circles { .. } | Geometry::Cylinder { .. } => {
                 let lower = (!is_rigid).then(|| edge_nodes(second, meshes, half));
                 (edge_nodes(first, meshes, half)?, lower.transpose()?)

@@ -1,7 +1,6 @@
 //! Bodies of a line contact as the half-planes that they stand for.
 
 use stickslip_fem_core::material::Isotropic;
-use stickslip_friction::{History, Place};
 use stickslip_scene::schema::{Hold, LoadKind};
 use stickslip_scene::shape::{Curve, Edge, Role};
 use stickslip_series::{Ground, HalfPlane, Lies, LineNodes};
@@ -60,7 +59,7 @@ pub(super) fn body(
     if !moves(1) {
         return Err(held("y"));
     }
-    if !moves(0) && !half && rubs(contact) {
+    if !moves(0) && !half && contact.rubs() {
         return Err(held("x"));
     }
     let [low, high] = own.shape.bounds();
@@ -81,20 +80,6 @@ pub(super) fn body(
 
 fn side(contact: &ContactPlan<'_>, index: usize) -> Option<usize> {
     contact.sides.iter().position(|side| side.body == index)
-}
-
-/// Whether the law of `contact` holds anything under pressure.
-fn rubs(contact: &ContactPlan<'_>) -> bool {
-    let anywhere = Place {
-        position: [0.0; 2],
-        tangent: [-1.0, 0.0],
-        material_angle: 0.0,
-    };
-    let bound = contact
-        .of
-        .law
-        .bound(1.0, 0.0, &anywhere, &History::default());
-    bound.stick.max(bound.slip) > 0.0
 }
 
 /// The straight edge that faces the contact, which stands for what is far away.

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use stickslip_fem_core::mesh::Point;
+use stickslip_friction::{History, Place};
 use stickslip_scene::schema::{
     self, Analysis, Contact, Division, Fastener, Hold, KinematicsChoice, Load, LoadKind,
     MeshSettings, Platen, SetRef, Substance, Support,
@@ -275,6 +276,17 @@ impl ContactPlan<'_> {
     pub(super) fn radii(&self) -> Option<[f64; 2]> {
         let [first, second] = &self.sides;
         Some([first.circle()?, second.circle()?])
+    }
+
+    /// Whether its law holds anything under pressure.
+    pub(super) fn rubs(&self) -> bool {
+        let anywhere = Place {
+            position: [0.0; 2],
+            tangent: [-1.0, 0.0],
+            material_angle: 0.0,
+        };
+        let bound = (self.of.law).bound(1.0, 0.0, &anywhere, &History::default());
+        bound.stick.max(bound.slip) > 0.0
     }
 }
 

@@ -2,47 +2,16 @@
 //!
 //! Load steps are counted from 1. Parts are relative numbers without a dimension; everything else is a [`Quantity`].
 
+mod details;
+
 use serde::Serialize;
 
-/// A length or an angle in base units; serialised as `{"unit": "mm", "value": 1.0}`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(tag = "unit", content = "value")]
-pub enum Quantity {
-    /// `[mm]`.
-    #[serde(rename = "mm")]
-    Length(f64),
-    /// `[rad]`.
-    #[serde(rename = "rad")]
-    Angle(f64),
-    /// An arc length along an edge from its middle `[mm]`.
-    #[serde(rename = "mm along the edge")]
-    Along(f64),
-    /// `[MPa]`.
-    #[serde(rename = "MPa")]
-    Stress(f64),
-}
+use super::quantity::Quantity;
 
-impl Quantity {
-    /// Its magnitude.
-    #[must_use]
-    pub fn abs(self) -> Self {
-        match self {
-            Self::Length(value) => Self::Length(value.abs()),
-            Self::Angle(value) => Self::Angle(value.abs()),
-            Self::Along(value) => Self::Along(value.abs()),
-            Self::Stress(value) => Self::Stress(value.abs()),
-        }
-    }
-
-    /// Its number `[mm, rad or MPa]`.
-    pub fn value(self) -> f64 {
-        match self {
-            Self::Length(value) | Self::Angle(value) | Self::Along(value) | Self::Stress(value) => {
-                value
-            }
-        }
-    }
-}
+pub use details::{
+    CoarseLoadPath, CutBackEffect, FailedSolver, FreeBody, FreeMotion, FurtherSolvers,
+    SolverDependence, StatusCycle, UniquenessBound, Yield,
+};
 
 /// A remark or a warning about a run; serialised with its `kind` in snake case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -81,6 +50,13 @@ pub enum Finding {
         steps: Vec<usize>,
         /// What smaller increments change.
         effect: CutBackEffect,
+    },
+    /// Load steps with friction depend on the number of their increments.
+    CoarseLoadPath(CoarseLoadPath),
+    /// Whether load steps with friction depend on the number of their few increments is not known.
+    LoadPathUnchecked {
+        /// Load steps in which the load path begins or turns and that were not compared with finer ones.
+        steps: Vec<usize>,
     },
     /// Another solver finds another answer from the same state before the step.
     SolverDependent(SolverDependence),
@@ -251,6 +227,13 @@ pub enum ContactFinding {
         /// The place.
         at: Quantity,
     },
+    /// The corner of one of its bodies presses on the other, so that the largest pressure and the stress along the edge grow with every finer division and have no limit.
+    NoLimitAtCorner {
+        /// Load steps in which it does.
+        steps: Vec<usize>,
+        /// The places.
+        at: Vec<Quantity>,
+    },
     /// Its pressures node by node are not unique, because the first body has more nodes than the soft second one can follow.
     RipplingPressures {
         /// First and second body.
@@ -320,146 +303,14 @@ pub enum JointFinding {
     },
 }
 
-/// Solvers that failed before a step was solved.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct FurtherSolvers {
-    /// Load steps in which solvers failed.
-    pub steps: Vec<usize>,
-    /// What failed, and how often in all steps.
-    pub failed: Vec<FailedSolver>,
-    /// The first cycle of statuses, if one was met.
-    pub cycle: Option<StatusCycle>,
-}
-
-/// How often a solver failed in one way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct FailedSolver {
-    /// Name of the solver.
-    pub solver: &'static str,
-    /// What happened.
-    pub reason: &'static str,
-    /// How often.
-    pub count: usize,
-}
-
-/// Statuses that repeated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct StatusCycle {
-    /// Number of iterations after which they return.
-    pub period: usize,
-    /// Number of points whose status changes.
-    pub points: usize,
-}
-
-/// Friction beside the estimate of the coefficient up to which a step is unique.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct UniquenessBound {
-    /// The load step nearest to its bound.
-    pub step: usize,
-    /// Its largest coefficient of friction (dimensionless).
-    pub friction: f64,
-    /// The estimate (dimensionless).
-    pub estimate: f64,
-    /// Number of enumerated solutions; `None` where they were not enumerated.
-    pub solutions: Option<usize>,
-    /// Whether another solver was asked.
-    pub other_solver_asked: bool,
-}
-
-/// Another answer that another solver finds.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SolverDependence {
-    /// Load steps with another answer.
-    pub steps: Vec<usize>,
-    /// The load step whose tractions differ most.
-    pub step: usize,
-    /// The other solver in that step.
-    pub solver: &'static str,
-    /// Change of the largest pressure there, as a part of it.
-    pub peak_pressure_change: f64,
-    /// Largest change of a traction there, as a part of the largest pressure.
-    pub traction_change: f64,
-}
-
-/// A body that moves as a whole without resistance.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct FreeBody {
-    /// The body.
-    pub body: String,
-    /// How it moves.
-    pub motion: FreeMotion,
-    /// Contacts that slip in the motion.
-    pub contacts: Vec<String>,
-}
-
-/// A body beyond its yield stress.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Yield {
-    /// The body.
-    pub body: String,
-    /// Load steps in which it is beyond.
-    pub steps: Vec<usize>,
-    /// The load step with the largest stress.
-    pub step: usize,
-    /// The largest von Mises stress there `[MPa]`.
-    pub von_mises: Quantity,
-    /// The yield stress `[MPa]`.
-    pub yield_stress: Quantity,
-    /// Place x, y of the largest stress `[mm]`.
-    pub at: [Quantity; 2],
-}
-
-/// What smaller increments change of an answer whose increments were cut back.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-pub enum CutBackEffect {
-    /// Without friction no answer depends on the path.
-    Frictionless,
-    /// Smaller equal increments were not solved.
-    Unknown,
-    /// Nothing.
-    Nothing,
-    /// Slip and its work.
-    Slip {
-        /// The load step that changes most.
-        step: usize,
-        /// Number of equal increments.
-        increments: usize,
-        /// Largest change of a slip in the step, as a part of the largest.
-        slip_change: f64,
-        /// Change of the work of friction, as a part of it.
-        dissipation_change: f64,
-    },
-    /// Tractions.
-    Tractions {
-        /// The load step that changes most.
-        step: usize,
-        /// Number of equal increments.
-        increments: usize,
-        /// Change of the largest pressure, as a part of it.
-        peak_pressure_change: f64,
-        /// Largest change of a traction, as a part of the largest pressure.
-        traction_change: f64,
-    },
-}
-
-/// A rigid motion that nothing resists.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum FreeMotion {
-    /// The body turns.
-    Rotation,
-    /// The body slides along straight contacts.
-    Translation,
-}
-
 impl Finding {
-    /// Whether it is [`ContactFinding::PairsApart`].
-    pub(crate) fn is_of_pairs_apart(&self) -> bool {
-        let Self::Contact { finding, .. } = self else {
-            return false;
-        };
-        matches!(finding, ContactFinding::PairsApart { .. })
+    /// Whether it says what stated errors contain.
+    pub(crate) fn is_within_errors(&self) -> bool {
+        match self {
+            Self::CoarseLoadPath(_) | Self::LoadPathUnchecked { .. } => true,
+            Self::Contact { finding, .. } => matches!(finding, ContactFinding::PairsApart { .. }),
+            _ => false,
+        }
     }
 
     /// The `finding` about the contact `name`.

@@ -10,10 +10,12 @@ use super::remarks::steps_where;
 use super::solved::Solved;
 use crate::model::Model;
 use crate::results::{
-    ContactFinding, CutBackEffect, EdgeGeometry, EdgeResults, Finding, Quantity, SolverDependence,
-    StepResults,
+    CoarseLoadPath, ContactFinding, CutBackEffect, EdgeGeometry, EdgeResults, Finding, Quantity,
+    SolverDependence, StepResults,
 };
 
+/// Part of the largest pressure by which more increments may change tractions without a finding.
+const COARSE: f64 = 0.01;
 /// Relative imbalance that ordinary rounding does not reach.
 const BALANCED: f64 = 1e-8;
 
@@ -21,6 +23,8 @@ const BALANCED: f64 = 1e-8;
 pub(super) fn of_steps(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
     let edges = model.edges.iter().enumerate();
     (cut_back(steps).into_iter())
+        .chain(coarse_path(steps))
+        .chain(path_unchecked(steps))
         .chain(other_solver(steps))
         .chain(no_other_solver(steps))
         .chain(unbalanced(steps))
@@ -113,6 +117,29 @@ fn cut_back(steps: &[StepResults]) -> Option<Finding> {
         steps: which,
         effect,
     })
+}
+
+/// Where more increments change tractions by more than a part of the largest pressure.
+fn coarse_path(steps: &[StepResults]) -> Option<Finding> {
+    let finer = |step: &StepResults| step.notes.otherwise.path?.ok();
+    let which = steps_where(steps, |step| {
+        finer(step).is_some_and(|finer| finer.traction > COARSE)
+    })?;
+    let (step, most) = largest(steps, finer)?;
+    Some(Finding::CoarseLoadPath(CoarseLoadPath {
+        steps: which,
+        step,
+        increments: most.increments,
+        traction_change: most.traction,
+        dissipation_change: most.dissipation,
+    }))
+}
+
+fn path_unchecked(steps: &[StepResults]) -> Option<Finding> {
+    let steps = steps_where(steps, |step| {
+        matches!(step.notes.otherwise.path, Some(Err(_)))
+    })?;
+    Some(Finding::LoadPathUnchecked { steps })
 }
 
 /// What smaller increments change where tractions stay.

@@ -354,10 +354,7 @@ impl Climb<'_> {
         let worst = worst(&last.numbers, &errors, self.bounds());
         let missed = self.missed(worst.map(Worst::named), end);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
-        // Errors hold where nodes are paired far from what they face.
-        found
-            .findings
-            .retain(|finding| !finding.is_of_pairs_apart());
+        found.findings.retain(|finding| !finding.is_within_errors());
         found.findings.extend(unlimited);
         found.findings.extend(missed);
         if last.model.request.failure.is_some() {

@@ -6,7 +6,7 @@ use stickslip_contact::interface::Part;
 use stickslip_contact::uniqueness::NEAR_BOUND;
 use stickslip_contact::zones::{Zone, ends_of_contact};
 
-use crate::model::{Model, ModelEdge};
+use crate::model::{EdgeEnd, Model, ModelEdge};
 use crate::results::{
     BearingSource, ContactFinding, EdgeGeometry, EdgeKind, EdgeResults, FailedSolver, Finding,
     FreeBody, FreeMotion, FurtherSolvers, Quantity, StatusCycle, StepResults, UniquenessBound,
@@ -35,7 +35,7 @@ pub(super) fn of_steps(
             let own: Vec<&EdgeResults> = steps.iter().map(|step| &step.edges[index]).collect();
             let zones: Vec<&[Zone]> = own.iter().map(|step| &*step.zones).collect();
             findings.extend(beyond_fine_zone(model.edges[index].fine_to, edge, &zones));
-            findings.extend(beyond_facing(&model.edges[index], &own));
+            findings.extend(at_ends(&model.edges[index], &own));
             findings.extend(wanders(edge, &own));
         }
     }
@@ -139,23 +139,33 @@ fn wanders(edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option<Finding> {
     })
 }
 
-/// The first contact at an end of `edge` beyond which it faces nothing.
-fn beyond_facing(edge: &ModelEdge, steps: &[&EdgeResults]) -> Option<Finding> {
+/// Contact at an end of `edge` where it faces nothing further.
+fn at_ends(edge: &ModelEdge, steps: &[&EdgeResults]) -> impl Iterator<Item = Finding> {
     let geometry = &edge.geometry;
-    let last = geometry.parameter.len().checked_sub(1)?;
-    let ends = [0, last].into_iter().zip(edge.goes_on);
-    let ends: Vec<usize> = ends
-        .filter_map(|(end, goes_on)| goes_on.then_some(end))
-        .collect();
-    steps.iter().enumerate().find_map(|(step, results)| {
-        let touches = |end: &&usize| results.rows[**end].status.touches();
-        let &end = ends.iter().find(touches)?;
-        let found = ContactFinding::BeyondFacing {
-            step: step + 1,
-            at: Quantity::Along(geometry.parameter[end]),
-        };
-        Some(Finding::about(&geometry.name, found))
-    })
+    let last = geometry.parameter.len().saturating_sub(1);
+    let place = |end: usize| Quantity::Along(geometry.parameter[end * last]);
+    let goes_on = |end: &usize, results: &EdgeResults| {
+        let row = results.rows.get(end * last);
+        edge.ends[*end] == EdgeEnd::GoesOn && row.is_some_and(|row| row.status.touches())
+    };
+    let beyond = steps.iter().zip(1..).find_map(|(results, step)| {
+        let end = [0, 1].into_iter().find(|end| goes_on(end, results))?;
+        Some(ContactFinding::BeyondFacing {
+            step,
+            at: place(end),
+        })
+    });
+    let presses = |end: usize, results: &EdgeResults| edge.corners_that_press(results)[end];
+    let any_end = |results: &&EdgeResults| (0..2).any(|end| presses(end, results));
+    let corner = steps_where(steps, any_end).map(|pressed| {
+        let ends = (0..2).filter(|&end| steps.iter().any(|results| presses(end, results)));
+        ContactFinding::NoLimitAtCorner {
+            steps: pressed,
+            at: ends.map(place).collect(),
+        }
+    });
+    let found = beyond.into_iter().chain(corner);
+    found.map(|found| Finding::about(&geometry.name, found))
 }
 
 /// The farthest end of contact on `edge` in any load step, if it lies beyond the `limit` of the mesh's fine zone; `steps` holds the

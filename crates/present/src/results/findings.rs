@@ -6,8 +6,8 @@ mod joint;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use stickslip_engine::results::{
-    CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers, Quantity, Results,
-    SolverDependence, StatusCycle, UniquenessBound, Yield,
+    CoarseLoadPath, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
+    Quantity, Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_text::{short, tidy};
@@ -41,6 +41,12 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
         ),
         Finding::NearUniquenessBound(bound) => near_bound(bound),
         Finding::CutBack { steps, effect } => cut_back(steps, *effect),
+        Finding::CoarseLoadPath(coarse) => coarse_load_path(coarse),
+        Finding::LoadPathUnchecked { steps } => format!(
+            "Whether load step {} with friction depends on the number of its increments was not checked: that takes too much work or was not solved. \
+             Set analysis.substeps to more and compare.",
+            numbers(steps)
+        ),
         Finding::SolverDependent(other) => solver_dependent(other),
         Finding::NoOtherSolver {
             too_dear,
@@ -232,6 +238,18 @@ fn cut_back(steps: &[usize], effect: CutBackEffect) -> String {
     format!(
         "The increment was cut back in load step {}.{effect}",
         numbers(steps)
+    )
+}
+
+fn coarse_load_path(coarse: &CoarseLoadPath) -> String {
+    format!(
+        "Load step {} depends on the number of its increments: in {} of them tractions of load step {} change by up to {} of the largest pressure, the work of \
+         friction by {}, and stick and slip with them. Set analysis.substeps to more, or leave it out and ask for an analysis.accuracy.",
+        numbers(&coarse.steps),
+        coarse.increments,
+        coarse.step,
+        percent(coarse.traction_change),
+        percent(coarse.dissipation_change)
     )
 }
 

@@ -29,7 +29,10 @@ use crate::document::child;
 use crate::units::{Length, Quantity};
 
 const NAME: &str = "outline";
-const FROM_ONE: Range = numbers(" ≥ 1", "at least 1", |value| value >= 1.0);
+/// Cells along an edge may be a thousandth of those inside, which still is a mesh of some thousand cells.
+const REFINED: Range = numbers(" 1 to 1000", "1 to 1000", |value| {
+    (1.0..=1000.0).contains(&value)
+});
 
 pub(super) const MEANING: &str = "lines and arcs around a body, with circular holes anywhere in it; edges and holes as they are named";
 
@@ -48,7 +51,7 @@ pub(super) const TABLES: &[Table] = &[
         text("name", REQUIRED, r#""end""#, "name of the edge; neighbours with one name are one edge"),
         words("to", "two lengths", "`start`, of the last edge", r#"["40 mm", "20 mm"]"#, "where it ends"),
         words("through", "two lengths", "a straight edge", r#"["60 mm", "0 mm"]"#, "a point between its ends, which makes it an arc"),
-        number("refine", "`1`", "8.0", "by how many times cells along it are smaller than the largest of the body").range(FROM_ONE),
+        number("refine", "`1`", "8.0", "by how many times cells along it are smaller than the largest of the body").range(REFINED),
     ]),
     Table::new("bodies.NAME.shape.outline.holes.NAME", &[
         words("centre", "two lengths", REQUIRED, r#"["40 mm", "0 mm"]"#, "its centre"),

@@ -1,5 +1,7 @@
 //! Open edges in contact: against closed forms, meshes that do not match, the two bodies exchanged, and what is refused.
 
+mod ends;
+
 use std::f64::consts::PI;
 
 use stickslip::model::Model;

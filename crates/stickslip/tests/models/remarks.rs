@@ -42,7 +42,19 @@ fn degrees(place: Quantity) -> f64 {
 
 #[test]
 fn a_plain_joint_needs_no_remark() {
-    assert_eq!(solved(BUSHING, &[]).findings, []);
+    assert_eq!(solved(BUSHING, &["analysis.substeps=8"]).findings, []);
+    // In one increment friction of the first step is another, and so is that of the turn of the load.
+    let coarse = solved(BUSHING, &[]).findings;
+    let [Finding::CoarseLoadPath(coarse)] = &coarse[..] else {
+        panic!("{coarse:?}");
+    };
+    assert_eq!((&coarse.steps[..], coarse.increments), (&[1, 3][..], 4));
+    let friction = |substeps: usize| {
+        let found = solved(BUSHING, &[&format!("analysis.substeps={substeps}")]);
+        found.steps[0].edges[0].friction_force.abs()
+    };
+    let fine = friction(64);
+    assert!((friction(1) / fine - 1.0).abs() > 0.05 && (friction(8) / fine - 1.0).abs() < 0.05);
 }
 
 /// A contact that bears on one side and then on the other is reported; one that always bears on the far side needs no remark.
@@ -154,7 +166,8 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
     // Symmetry holds it, and so does friction on either side.
     let half = solved(BUSHING, &smooth);
     assert!(free_bodies(&half.findings).is_empty());
-    let rubbing = solved(BUSHING, &["analysis.model=whole"]).findings;
+    let rubbing = ["analysis.model=whole", "analysis.substeps=8"];
+    let rubbing = solved(BUSHING, &rubbing).findings;
     assert_eq!(
         rubbing,
         [

@@ -6,8 +6,8 @@ use std::path::Path;
 use serde_json::{Value, json};
 use stickslip::output::{joint_sentence, sentence, summary_json};
 use stickslip::results::{
-    ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
-    JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound, Yield,
+    CoarseLoadPath, ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion,
+    FurtherSolvers, JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 
 use super::fixture::results;
@@ -56,6 +56,14 @@ fn of_the_run() -> Vec<Finding> {
                 dissipation_change: 0.5,
             },
         },
+        Finding::CoarseLoadPath(CoarseLoadPath {
+            steps: steps.clone(),
+            step: 7,
+            increments: 4,
+            traction_change: 0.08,
+            dissipation_change: 0.25,
+        }),
+        Finding::LoadPathUnchecked { steps: vec![1] },
         Finding::SolverDependent(SolverDependence {
             steps: steps.clone(),
             step: 7,
@@ -152,6 +160,10 @@ fn of_a_contact() -> Vec<Finding> {
             steps: steps(),
             numbers: vec!["peak pressure", "peak tangential stress"],
         },
+        ContactFinding::NoLimitAtCorner {
+            steps: steps(),
+            at: vec![Quantity::Along(25.4)],
+        },
         ContactFinding::PairsApart {
             steps: steps(),
             apart: Quantity::Angle(0.01),
@@ -222,12 +234,15 @@ fn sentences_hold_steps_parts_and_display_units() {
         "More than the first solver was needed in load step 2–4, 7: status iteration: cycled (×2). In the first cycle the statuses of 5 points repeated with period 2.",
         "Friction of up to 0.900 is near 1.000, the estimate of the coefficient of friction up to which load step 3 ",
         "The increment was cut back in load step 2–4, 7. Smaller increments give the same tractions. Slip counts from the increment in which a point closes: in 8 equal increments CSLIP1 of load step 7 changes by up to 1.2 % of its largest, the work of friction by 50 %.",
+        "Load step 2–4, 7 depends on the number of its increments: in 4 of them tractions of load step 7 change by up to 8.0 % of the largest pressure, the work of friction by 25 %",
+        "Whether load step 1 with friction depends on the number of its increments was not checked:",
         "Whether another solver finds another answer is not known where friction, cut-back or loose contact allow one: load step 2–4, 7 would take more work than comparisons of a history may, 2e9 operations; the other solver did not solve load step 1.",
         "Forces balance to 2.8e-7 of the load only in load step 2–4, 7, where 1e-8 is usual:",
         "Body 'pin' can slide freely: its translation and CSLIP1 on 'a', 'b' and 'c' are not unique.",
         "Body 'plate' yields: in load step 4 its von Mises stress of 200 psi exceeds the yield stress of 150 psi at x = 1 in, y = 0 in; it does so in load step 3–4.",
         "Contact 'pin': 'plate' is 1 in thick and 'pin' 2 in.",
         "No error is stated for the peak pressure and the peak tangential stress of contact 'pin' in load step 2, 5: friction jumps",
+        "A corner presses at s = 1 in of contact 'pin' in load step 2, 5:",
         "Contact 'pin' ends at x = -1 in in load step 2, beyond the fine part of its mesh, which ends at ±0.5 in:",
         "The bearing point of contact 'pin' wanders: it is at θ = −28.6° in load step 2 and at θ = 180.0° in load step 3, where the contact force is largest. Angles φ are counted from the latter;",
         "crack_band.fibre_tension has no effect on this mesh: it lowers strengths in rows of points wider than 1 in, that is in cells larger than 2 in; the largest cell has 0.5 in.",

@@ -253,6 +253,7 @@ fn notes() -> StepNotes {
                 dissipation: -0.03,
             }),
             finer: None,
+            path: None,
             missing: None,
         },
         friction: 0.5,

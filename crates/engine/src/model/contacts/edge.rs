@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use stickslip_fem_core::mesh::{Curve, Point};
 
 use crate::model::plan::{BodyPlan, Placed};
-use crate::model::{Meshes, ModelEdge, ModelError};
+use crate::model::{EdgeEnd, Meshes, ModelEdge, ModelError};
 use crate::results::{ContactFrame, EdgeGeometry, EdgeKind};
 use stickslip_scene::schema::SetRef;
 
@@ -21,8 +21,8 @@ pub(super) struct EdgeNodes {
     pub(super) corner: Vec<bool>,
     pub(super) weights: Vec<f64>,
     pub(super) order: usize,
-    /// Whether the edge goes on beyond its ends, where it faces nothing.
-    pub(super) goes_on: [bool; 2],
+    /// What lies at its ends, if it touches another open edge.
+    pub(super) ends: [EdgeEnd; 2],
 }
 
 pub(super) fn edge_nodes(
@@ -51,7 +51,7 @@ pub(super) fn edge_nodes(
             corner,
             weights,
             order: walk.order,
-            goes_on: [false; 2],
+            ends: [EdgeEnd::Free; 2],
         };
         if !half {
             nodes.start_at_minus_pi();
@@ -77,7 +77,7 @@ pub(super) fn edge_nodes(
             _ => None,
         },
         nodes: path.nodes,
-        goes_on: [false; 2],
+        ends: [EdgeEnd::Free; 2],
     };
     if nodes.parameter.first() > nodes.parameter.last() {
         nodes.parameter.reverse();
@@ -172,7 +172,7 @@ impl EdgeNodes {
                 EdgeKind::Circle { .. } | EdgeKind::Line => body.fine_to(),
                 EdgeKind::Path => None,
             },
-            goes_on: self.goes_on,
+            ends: self.ends,
             tractions: Vec::new(),
         }
     }

@@ -18,8 +18,9 @@ use stickslip_scene::shape::Path;
 use stickslip_scene::units::Unit;
 
 use super::edge::EdgeNodes;
+use super::ends;
 use crate::model::plan::{ContactPlan, Placed, Plan};
-use crate::model::{Meshes, ModelError};
+use crate::model::{EdgeEnd, Meshes, ModelError};
 use crate::results::EdgeKind;
 
 /// Places of a cell at which its gap is tried, beside its ends.
@@ -191,6 +192,7 @@ impl OpenPair {
     /// [`ModelError::Pairing`] where they face each other nowhere, or overlap without being meant to.
     pub(super) fn nodes(
         &self,
+        plan: &Plan<'_>,
         planned: &ContactPlan<'_>,
         meshes: &Meshes,
         is_rigid: bool,
@@ -236,11 +238,24 @@ impl OpenPair {
                 "{first} and {second} overlap by {overlap}; move one of the bodies, or say interference = true"
             )));
         }
-        let goes_on = [kept.start > 0, kept.end < gaps.len()];
-        let upper = EdgeNodes {
-            goes_on,
-            ..self.edge_nodes(&walked, kept)
-        };
+        let mut upper = self.edge_nodes(&walked, kept);
+        let half = 0.5 * self.extent();
+        let faced = [0.0, self.second.length()].map(|s| self.facing(self.second.at(s)));
+        let ends = [
+            ends::Side {
+                placed: &sides[0],
+                path: &self.first,
+                reach: [-half, half],
+                is_reversed: false,
+            },
+            ends::Side {
+                placed: &sides[1],
+                path: &self.second,
+                reach: [faced[0].min(faced[1]), faced[0].max(faced[1])],
+                is_reversed: faced[0] > faced[1],
+            },
+        ];
+        upper.ends = ends::of(plan, meshes, ends, &upper, planned.rubs());
         Ok((upper, lower))
     }
 
@@ -299,7 +314,7 @@ impl OpenPair {
             weights: walked.mesh.edge_weights(&path, None),
             corner: (0..path.nodes.len()).map(|k| k % order == 0).collect(),
             centre: None,
-            goes_on: [false; 2],
+            ends: [EdgeEnd::Free; 2],
             nodes: path.nodes,
             order,
             parameter,

@@ -75,6 +75,7 @@ pub(super) fn findings(of: &Numbers, errors: &Table) -> Vec<Finding> {
             let missing = of.missing[step][edge];
             let own = Stated::ALL.into_iter().filter(|&stated| {
                 missing.concern(stated)
+                    && !missing.are_of_a_corner()
                     && errors[edge].get(stated).is_none()
                     && stated.value(&of.steps[step][edge]).is_some()
             });
@@ -133,7 +134,7 @@ impl Changes<'_> {
                 let value = stated.value(&self.fine.steps[at[0]][at[1]]);
                 limits.are_of_a_support() && last > value.map(|value| STEEP * value.abs())
             };
-            if limits.concern(stated) && grows {
+            if limits.concern(stated) && (grows || limits.are_of_a_corner()) {
                 return None;
             }
             let error = self.error(at, stated)?;

@@ -27,6 +27,8 @@ enum Cause {
     Friction,
     /// It is where a support ends.
     Support,
+    /// It is where a corner of a body presses.
+    Corner,
 }
 
 impl Missing {
@@ -43,6 +45,16 @@ impl Missing {
                 ..Self::default()
             };
         };
+        if model.edges[edge]
+            .corners_that_press(results)
+            .contains(&true)
+        {
+            return Self {
+                hoop: Some(Cause::Corner),
+                pressure: true,
+                bearing: false,
+            };
+        }
         let drops = || drops(contacts, record, pair, results);
         let turns = turns(geometry, results);
         let near = |place: Option<f64>| {
@@ -59,6 +71,11 @@ impl Missing {
     /// Whether a support is why, which shows in two divisions.
     pub(super) fn are_of_a_support(self) -> bool {
         self.hoop == Some(Cause::Support)
+    }
+
+    /// Whether the corner of a body is why, which has a finding of its own in every run.
+    pub(super) fn are_of_a_corner(self) -> bool {
+        self.hoop == Some(Cause::Corner)
     }
 
     /// Whether `stated` is one of them.

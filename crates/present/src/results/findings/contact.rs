@@ -61,6 +61,18 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             of.join(" and the "),
             numbers(steps)
         ),
+        ContactFinding::NoLimitAtCorner { steps, at } => {
+            let places: Vec<String> = at
+                .iter()
+                .map(|&at| format!("s = {}", shown(at, units)))
+                .collect();
+            format!(
+                "A corner presses at {} of contact '{name}' in load step {}: in the linear model pressure and stress grow without limit towards it, and the largest of \
+                 them are those of this mesh, without an error. Resultants hold. Round the corner to get a limit.",
+                places.join(" and "),
+                numbers(steps)
+            )
+        }
         ContactFinding::PairsApart {
             steps,
             apart,

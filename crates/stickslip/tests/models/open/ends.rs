@@ -1,0 +1,121 @@
+//! What lies at the ends of a contact, and edges of several curves in a mesh from a file.
+
+use std::fs;
+
+use stickslip::results::{ContactFinding, Finding, Results};
+use tempfile::TempDir;
+
+use super::{PUNCH, close, edge, stacked};
+use crate::{results, scene_in, solved};
+
+/// The scene of the rounded punch with other edges of the punch.
+fn punch(outline: &str) -> String {
+    let (head, tail) = PUNCH.split_once("[bodies.punch.shape.outline]").unwrap();
+    let (_, tail) = tail.split_once("[mesh]").unwrap();
+    format!("{head}[bodies.punch.shape.outline]\n{outline}\n[mesh]{tail}")
+}
+
+/// A punch of 2 mm with corners of 90°.
+fn square() -> String {
+    punch(
+        r#"start = ["-1 mm", "0 mm"]
+edges = [
+  { name = "face", to = ["1 mm", "0 mm"], refine = 80 },
+  { name = "right", to = ["1 mm", "4 mm"] },
+  { name = "top", to = ["-1 mm", "4 mm"] },
+  { name = "left" },
+]"#,
+    )
+}
+
+/// The places at which corners press, and whether edges cease to face each other where both bodies go on.
+fn ends(results: &Results) -> (usize, bool) {
+    let (mut corners, mut beyond) = (0, false);
+    for own in &results.findings {
+        let Finding::Contact { finding, .. } = own else {
+            continue;
+        };
+        match finding {
+            ContactFinding::NoLimitAtCorner { at, .. } => corners += at.len(),
+            ContactFinding::BeyondFacing { .. } => beyond = true,
+            _ => {}
+        }
+    }
+    (corners, beyond)
+}
+
+#[test]
+fn corners_that_press_have_no_limit() {
+    let text = square();
+    assert_eq!(ends(&solved(&text, &[])), (2, false));
+    // In either order of the bodies.
+    let swapped = [
+        r#"contacts.0.first="block.top""#,
+        r#"contacts.0.second="punch.face""#,
+    ];
+    assert_eq!(ends(&solved(&text, &swapped)), (2, false));
+    // A rounded one has none, nor have two bodies that end at the same places.
+    assert_eq!(ends(&solved(PUNCH, &[])), (0, false));
+    let same = stacked(
+        r#"{ name = "face", to = ["0 mm", "0 mm"] }"#,
+        r#"{ name = "face", to = ["10 mm", "0 mm"] }"#,
+    );
+    assert_eq!(ends(&solved(&same, &[])), (0, false));
+}
+
+#[test]
+fn no_error_is_stated_for_what_has_no_limit() {
+    let results = solved(&square(), &["analysis.accuracy=\"5 %\""]);
+    for step in 0..3 {
+        let errors = &edge(&results, step).errors;
+        assert!(
+            errors
+                .get(stickslip::results::Stated::PeakPressure)
+                .is_none()
+        );
+        assert!(
+            errors
+                .get(stickslip::results::Stated::NormalForce)
+                .is_some()
+        );
+    }
+}
+
+/// All points of the flat stick, so nothing but rounding moves there, and its ends are no corners.
+#[test]
+fn an_edge_that_goes_on_under_another_name_is_reported() {
+    let mut text = PUNCH.to_owned();
+    for (to, name) in [("-1.6", "a"), ("-1 ", "b"), ("1.6", "c"), ("41", "d")] {
+        let own = format!("{{ name = \"face\", to = [\"{to}");
+        let own = own.trim_end().to_owned();
+        text = text.replacen(&own, &own.replace("face", name), 1);
+    }
+    let results = solved(&text, &[]);
+    assert_eq!(ends(&results), (0, true));
+    close(edge(&results, 0).resultant[1], 73.8556, 1e-6);
+}
+
+/// A punch of flat and arcs as a file: the edge of several curves is these, and its mid nodes need not be on them.
+#[test]
+fn a_punch_of_a_file_is_that_of_its_outline() {
+    let own = solved(PUNCH, &[]);
+    let body = own.bodies.iter().find(|body| body.name == "punch").unwrap();
+    let text = stickslip_mesh_files::write_msh(body.mesh.as_deref().unwrap()).unwrap();
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("punch.msh"), text).unwrap();
+    let (head, tail) = PUNCH.split_once("[bodies.punch.shape.outline]").unwrap();
+    let (_, tail) = tail.split_once("[mesh]").unwrap();
+    let text = format!(
+        "{head}[bodies.punch.shape.mesh]\nfile = \"punch.msh\"\nunit = \"mm\"\n[mesh]{tail}"
+    );
+    let found = results(&scene_in(folder.path(), &text, &[]));
+    for step in 0..3 {
+        let [a, b] = [&found, &own].map(|results| edge(results, step));
+        close(a.peak_pressure.unwrap().0, b.peak_pressure.unwrap().0, 1e-6);
+        close(
+            a.contact_half_extent.unwrap(),
+            b.contact_half_extent.unwrap(),
+            1e-6,
+        );
+    }
+}
