@@ -32,7 +32,7 @@ use stickslip_fem_core::{CondensedBody, ElasticBody, InterfaceOperator, RigidBod
 use stickslip_friction::Mirror;
 use thiserror::Error;
 
-use crate::results::{Choice, EdgeGeometry, EdgeResults, EdgeRow, Finding};
+use crate::results::{Choice, EdgeGeometry, EdgeRow, Finding};
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
@@ -270,12 +270,12 @@ pub struct ModelEdge {
 }
 
 impl ModelEdge {
-    /// Whether a corner of one of the bodies presses on the other in `results`, at the first end and at the last: within a cell of it, where the other body's edge
+    /// Whether a corner of one of the bodies presses on the other by the `rows` of its nodes, at the first end and at the last: within a cell of it, where the other body's edge
     /// ends.
-    pub fn corners_that_press(&self, results: &EdgeResults) -> [bool; 2] {
+    pub fn corners_that_press(&self, rows: &[EdgeRow]) -> [bool; 2] {
         let touches = |row: &EdgeRow| row.status.touches();
-        let first = results.rows.iter().take(self.order + 1).any(touches);
-        let last = results.rows.iter().rev().take(self.order + 1).any(touches);
+        let first = rows.iter().take(self.order + 1).any(touches);
+        let last = rows.iter().rev().take(self.order + 1).any(touches);
         let is_corner = self.ends.map(|end| end == EdgeEnd::Corner);
         [is_corner[0] && first, is_corner[1] && last]
     }

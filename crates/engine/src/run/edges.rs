@@ -379,6 +379,7 @@ fn summarise(
         (whole, reported.sums[pair].normal, work)
     });
     let both = if half { 2.0 } else { 1.0 };
+    let is_bounded = !edge.corners_that_press(&rows).contains(&true);
     EdgeResults {
         contact_half_extent: extent,
         stick_half_extent: extent.filter(|_| rubs),
@@ -386,7 +387,8 @@ fn summarise(
             &rows,
             &ends_of_contact(&zones, closed),
             &edge.geometry,
-        ),
+        )
+        .filter(|_| is_bounded),
         resultant,
         normal_force: both * normal,
         friction_work: both * work,

@@ -155,7 +155,7 @@ fn at_ends(edge: &ModelEdge, steps: &[&EdgeResults]) -> impl Iterator<Item = Fin
             at: place(end),
         })
     });
-    let presses = |end: usize, results: &EdgeResults| edge.corners_that_press(results)[end];
+    let presses = |end: usize, results: &EdgeResults| edge.corners_that_press(&results.rows)[end];
     let any_end = |results: &&EdgeResults| (0..2).any(|end| presses(end, results));
     let corner = steps_where(steps, any_end).map(|pressed| {
         let ends = (0..2).filter(|&end| steps.iter().any(|results| presses(end, results)));

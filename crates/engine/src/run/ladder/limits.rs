@@ -46,7 +46,7 @@ impl Missing {
             };
         };
         if model.edges[edge]
-            .corners_that_press(results)
+            .corners_that_press(&results.rows)
             .contains(&true)
         {
             return Self {

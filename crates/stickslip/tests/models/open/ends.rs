@@ -47,7 +47,9 @@ fn ends(results: &Results) -> (usize, bool) {
 #[test]
 fn corners_that_press_have_no_limit() {
     let text = square();
-    assert_eq!(ends(&solved(&text, &[])), (2, false));
+    let results = solved(&text, &[]);
+    assert_eq!(ends(&results), (2, false));
+    assert_eq!(edge(&results, 0).peak_hoop_uncertainty, None);
     // In either order of the bodies.
     let swapped = [
         r#"contacts.0.first="block.top""#,
