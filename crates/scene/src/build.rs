@@ -67,7 +67,7 @@ pub(super) fn build(
     let materials = builder.materials(&format, &plies, analysis.plane);
     builder.bodies(&format, &materials);
     let is_divided = format.mesh.is_some();
-    let mesh = builder.mesh(&mut format);
+    let (mesh, mesh_by_lengths) = builder.mesh(&mut format);
     builder.body_meshes(&format, &mesh);
     builder.models(&format);
     let contacts = builder.contacts(&mut format, &materials);
@@ -128,6 +128,7 @@ pub(super) fn build(
         hash: written::hash(&format, &bodies, &loads),
         bodies,
         mesh,
+        mesh_by_lengths,
         is_divided,
         contacts,
         fasteners,

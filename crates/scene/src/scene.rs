@@ -34,6 +34,8 @@ pub struct Scene {
     pub bodies: BTreeMap<String, Body>,
     /// How finely the bodies are divided.
     pub mesh: MeshSettings,
+    /// How finely those that are not round are divided, where others are and the program divides them.
+    pub mesh_by_lengths: Option<MeshSettings>,
     /// Whether the scene itself says so, and not the program.
     pub is_divided: bool,
     /// Pairs of edges that may touch.
@@ -76,8 +78,11 @@ impl Scene {
 
     /// How finely `body` is divided: by its own settings, or those of the scene.
     pub fn mesh_of(&self, body: &str) -> &MeshSettings {
-        let own = self.bodies.get(body).and_then(|body| body.mesh.as_ref());
-        own.unwrap_or(&self.mesh)
+        let body = self.bodies.get(body);
+        let own = body.and_then(|body| body.mesh.as_ref());
+        let by_lengths = self.mesh_by_lengths.as_ref();
+        let by_lengths = by_lengths.filter(|_| body.is_some_and(|body| !body.shape.is_round()));
+        own.or(by_lengths).unwrap_or(&self.mesh)
     }
 
     /// Whether the scene says how finely `body` is divided, or gives its mesh.

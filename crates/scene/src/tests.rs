@@ -258,3 +258,38 @@ fn a_body_takes_from_the_scene_what_its_own_mesh_leaves_out() {
         matches!(&scene.mesh_of("pin").division, Division::AngleList(angles) if angles.len() == 3)
     );
 }
+
+/// A wedge of 8 by 6 mm beside the joint, whose face has cells `refine` times smaller than the largest.
+#[test]
+fn the_program_divides_round_bodies_by_angles_and_others_by_lengths() {
+    let divided = |refine: f64| {
+        let wedge = format!(
+            r#"[bodies.wedge]
+material = "steel"
+thickness = "2 mm"
+[bodies.wedge.shape.outline]
+start = ["0 mm", "0 mm"]
+edges = [
+  {{ name = "face", to = ["8 mm", "0 mm"], refine = {refine} }},
+  {{ name = "side", to = ["8 mm", "6 mm"] }},
+  {{ name = "back" }},
+]
+[[supports]]
+on = "wedge.side"
+fix = ["x", "y"]
+"#
+        );
+        let scene = SCENE.replace("[mesh]\nspacing = \"2 deg\"\n", "") + &wedge;
+        let scene = read(&scene).unwrap_or_else(|error| panic!("{error}"));
+        let Division::Angular(round) = scene.mesh_of("plate").division else {
+            panic!("{:?}", scene.mesh);
+        };
+        assert!((round.spacing.to_degrees() - 3.0).abs() < 1e-12);
+        match scene.mesh_of("wedge").division {
+            Division::Linear(grading) => grading.spacing,
+            _ => panic!("{:?}", scene.mesh_of("wedge")),
+        }
+    };
+    let spacings = [1.0, 3.0, 50.0].map(divided);
+    assert_eq!(spacings, [6.0 / 32.0, 18.0 / 32.0, 6.0 / 4.0]);
+}

@@ -25,7 +25,7 @@ use self::along::Along;
 use self::geometry::Geometry;
 use self::grading::Grading;
 use self::models::{Division, Level, Models};
-use self::numbers::{Numbers, Table, difference, sum};
+use self::numbers::{Numbers, Table, balanced_friction, difference, sum};
 use super::{Progress, RunError, results, results_without_audit};
 use crate::model::obstacle_to_half;
 use crate::results::{BodyFailure, EdgeResults, Finding, Ladder, LadderEnd, Results, Rung, Stated};
@@ -463,7 +463,7 @@ fn worst(level: &Numbers, errors: &Table, accuracy: Accuracy) -> Option<Worst> {
 }
 
 /// The same of the load step `step`. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, friction and stick by
-/// the largest of their history.
+/// the largest of their history, and friction by no less than what may balance itself.
 fn worst_of_step(
     level: &Numbers,
     errors: &Table,
@@ -482,7 +482,14 @@ fn worst_of_step(
         let largest = history.fold(0.0, f64::max);
         let own = &level.steps[step][edge];
         let scale = match stated {
-            Stated::FrictionForce | Stated::StickExtent => largest,
+            Stated::FrictionForce => {
+                let held = level
+                    .steps
+                    .iter()
+                    .map(|step| balanced_friction(&step[edge]));
+                held.fold(largest, f64::max)
+            }
+            Stated::StickExtent => largest,
             Stated::PeakHoop | Stated::HoopAtBearing => {
                 let pressure = Stated::PeakPressure.value(own).unwrap_or(0.0);
                 size(own).max(SMALL * largest).max(pressure)

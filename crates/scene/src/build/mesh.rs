@@ -13,6 +13,10 @@ use crate::shape::Shape;
 use crate::units::{AngleOrLength, Dimension, Expected, Quantity, UnitError};
 
 const DEFAULT_ELEMENT: ElementKind = ElementKind::Q8;
+/// Cells along the shorter side of a body that is divided equally, of the coarsest division that is tried.
+const ALONG: f64 = 32.0;
+/// Fewest such cells of a body with smaller ones where it touches.
+const FEWEST: f64 = 4.0;
 
 /// A table of mesh settings and the bodies that it divides.
 struct Scope<'a> {
@@ -27,7 +31,11 @@ impl Scope<'_> {
 }
 
 impl Builder<'_> {
-    pub(super) fn mesh(&mut self, format: &mut SceneFormat) -> MeshSettings {
+    /// The division of the bodies, and of those that are not round where that is another one.
+    pub(super) fn mesh(
+        &mut self,
+        format: &mut SceneFormat,
+    ) -> (MeshSettings, Option<MeshSettings>) {
         let Some(given) = format.mesh.as_mut() else {
             return self.undivided();
         };
@@ -45,11 +53,11 @@ impl Builder<'_> {
         };
         let settings = self.settings(&scope, &given, None);
         self.unused("mesh", |_| true);
-        settings
+        (settings, None)
     }
 
     /// Where the scene gives no mesh: the coarsest division that is tried.
-    fn undivided(&mut self) -> MeshSettings {
+    fn undivided(&mut self) -> (MeshSettings, Option<MeshSettings>) {
         let elastic = self.bodies.values();
         let elastic = elastic.filter(|body| body.substance != Substance::Rigid);
         let (given, elastic): (Vec<_>, Vec<_>) =
@@ -57,18 +65,20 @@ impl Builder<'_> {
         let (round, others): (Vec<&Shape>, Vec<&Shape>) = (elastic.iter())
             .map(|body| &body.shape)
             .partition(|shape| shape.is_round());
-        let least = |shape: &&Shape| {
-            let [low, high] = shape.bounds();
-            (high[0] - low[0]).min(high[1] - low[1])
+        let division = |make: fn(Grading) -> Division, spacing| MeshSettings {
+            element: DEFAULT_ELEMENT,
+            division: make(Grading {
+                spacing,
+                fine_to: None,
+                coarse_spacing: None,
+            }),
+            layers: None,
         };
-        let grading = |spacing| Grading {
-            spacing,
-            fine_to: None,
-            coarse_spacing: None,
-        };
-        let extent = others.iter().map(least).reduce(f64::min);
-        let is_mixed = extent.is_some() && !round.is_empty();
-        let needs_mesh = is_mixed || (!given.is_empty() && !elastic.is_empty());
+        let lengths = others.iter().map(|shape| coarsest(shape));
+        let by_lengths = (lengths.reduce(f64::min)).map(|least| division(Division::Linear, least));
+        let by_angles = division(Division::Angular, TAU / 120.0);
+        let is_mixed = !round.is_empty();
+        let needs_mesh = !given.is_empty() && !elastic.is_empty();
         if needs_mesh && !self.is_refused("mesh") {
             let undivided = self
                 .bodies
@@ -77,13 +87,10 @@ impl Builder<'_> {
             let table = undivided.map_or(String::new(), |(name, _)| format!("bodies.{name}"));
             self.missing(&table, "mesh");
         }
-        let division = extent.map_or(Division::Angular(grading(TAU / 120.0)), |extent| {
-            Division::Linear(grading(extent / 32.0))
-        });
-        MeshSettings {
-            element: DEFAULT_ELEMENT,
-            division,
-            layers: None,
+        match by_lengths {
+            Some(own) if is_mixed => (by_angles, Some(own)),
+            Some(own) => (own, None),
+            None => (by_angles, None),
         }
     }
 
@@ -371,4 +378,11 @@ fn merged(own: &MeshFormat, whole: &MeshFormat) -> MeshFormat {
         coarse_spacing: own.coarse_spacing.or(coarse_spacing.filter(|_| !divides)),
         layers: own.layers.or(layers),
     }
+}
+
+/// The largest cells `[mm]` of the coarsest division of `shape` that is tried: [`ALONG`] along its shorter side, fewer where edges have smaller ones.
+fn coarsest(shape: &Shape) -> f64 {
+    let [low, high] = shape.bounds();
+    let least = (high[0] - low[0]).min(high[1] - low[1]);
+    least / ALONG * shape.refinement().min(ALONG / FEWEST)
 }

@@ -77,6 +77,11 @@ pub trait Outline: fmt::Debug {
         given
     }
 
+    /// By how many times the smallest cells along its edges are smaller than the largest ones, where the scene says so.
+    fn refinement(&self) -> f64 {
+        1.0
+    }
+
     /// The generator of its mesh.
     ///
     /// # Errors

@@ -332,6 +332,10 @@ impl Outline for Profile {
         }
     }
 
+    fn refinement(&self) -> f64 {
+        self.refine.iter().copied().fold(1.0, f64::max)
+    }
+
     fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
         let kind = self.cells(divided.kind).ok_or(DivisionError::NoCells {
             kind: divided.kind.name(),

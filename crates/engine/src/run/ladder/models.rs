@@ -401,6 +401,9 @@ impl<'a> Models<'a> {
                 scene.mesh.division
             ),
         };
+        if let Some(own) = &scene.mesh_by_lengths {
+            division += &format!(" and {}", own.division);
+        }
         if self.kinematics == KinematicsChoice::DeformedGaps {
             division += ", deformed gaps";
         }
@@ -465,6 +468,7 @@ fn missing(
 
 fn each_mesh(scene: &mut Scene, change: fn(&MeshSettings) -> MeshSettings) {
     scene.mesh = change(&scene.mesh);
+    scene.mesh_by_lengths = scene.mesh_by_lengths.as_ref().map(change);
     for body in scene.bodies.values_mut() {
         body.mesh = body.mesh.as_ref().map(change);
     }

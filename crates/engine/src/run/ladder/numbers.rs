@@ -1,7 +1,7 @@
 //! The numbers of a model, and tables of their errors.
 
 use super::limits::Missing;
-use crate::results::{EdgeGeometry, EdgeResults, Errors};
+use crate::results::{EdgeGeometry, EdgeResults, Errors, Stated};
 
 /// Errors per step, edge and number.
 pub(super) type Table = Vec<Vec<Errors>>;
@@ -19,6 +19,24 @@ pub(super) struct Numbers {
     pub(super) missing: Vec<Vec<Missing>>,
     /// Largest spacing of nodes on each edge `[rad or mm]`.
     pub(super) spacings: Vec<f64>,
+}
+
+/// Part of the friction along an edge below which its force is what a division leaves of friction that balances itself.
+const BALANCED: f64 = 0.05;
+
+/// The friction force of `edge` below which it is that of a division alone: along an edge pressed without a push friction balances itself,
+/// and the force vanishes with finer divisions.
+pub(super) fn balanced_friction(edge: &EdgeResults) -> f64 {
+    let friction = edge
+        .rows
+        .iter()
+        .fold(0.0, |most: f64, row| most.max(row.shear.abs()));
+    let pressure = Stated::PeakPressure.value(edge).unwrap_or(0.0);
+    if pressure > 0.0 {
+        BALANCED * edge.normal_force.abs() * friction / pressure
+    } else {
+        0.0
+    }
 }
 
 /// The differences of the numbers of two models. Extents and pressures of a contact that is open in the coarse one change from zero.
@@ -68,7 +86,6 @@ pub(super) fn zipped(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::results::Stated;
 
     /// A history without friction has no errors of the load path, and keeps those of the geometry.
     #[test]
