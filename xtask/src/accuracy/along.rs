@@ -2,7 +2,7 @@
 
 use stickslip::results::{EdgeGeometry, EdgeResults, RowErrors};
 
-use super::Number;
+use super::{At, Number};
 
 /// Nodes of each step that are compared.
 const NODES: usize = 12;
@@ -13,11 +13,11 @@ const NAMES: [&str; 3] = [
     "tangential stress at a node",
 ];
 
-/// The numbers of some nodes of an edge in the step `step`, `unloading` or not, beside those of `truth`.
+/// The numbers of some nodes of an edge in a step beside those of `truth`.
 pub(super) fn numbers(
     found: (&EdgeGeometry, &EdgeResults),
     truth: (&EdgeGeometry, &EdgeResults),
-    (step, unloading): (usize, bool),
+    At { step, unloading }: At,
 ) -> Vec<Number> {
     let (geometry, edge) = found;
     let count = edge.row_errors.len();

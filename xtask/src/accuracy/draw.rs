@@ -3,17 +3,19 @@
 use rand::RngExt as _;
 use rand::rngs::StdRng;
 
-const ISOTROPIC: &str = "isotropic]\nyoung = \"70 GPa\"\npoisson = 0.33";
+pub(super) const ISOTROPIC: &str = "isotropic]\nyoung = \"70 GPa\"\npoisson = 0.33";
 
 const LAY_UPS: [&str; 4] = ["[0/±45/90]s", "[0_2/±45/90]s", "[0/90]s", "[0/60/-60]s"];
-const FAILURE: &str = r#"[plies.carbon]
+/// The ply of the lay-ups.
+pub(super) const PLY: &str = r#"[plies.carbon]
 e1 = "131.7 GPa"
 e2 = "13.8 GPa"
 g12 = "6.2 GPa"
 nu12 = 0.3
 thickness = "0.25 mm"
 strengths = { xt = "1582 MPa", xc = "1738 MPa", yt = "69.6 MPa", yc = "221 MPa", s12 = "119 MPa" }
-[failure]
+"#;
+const FAILURE: &str = r#"[failure]
 criteria = ["max_stress", "tsai_wu"]
 characteristic = { tension = "0.5 mm", compression = "1 mm" }
 "#;
@@ -21,12 +23,18 @@ characteristic = { tension = "0.5 mm", compression = "1 mm" }
 /// A scene without a mesh.
 pub(crate) struct Draw {
     pub(super) text: String,
+    /// What is drawn.
+    pub(super) family: &'static str,
+    /// Changes of the scene that divide its bodies for the truth; none where the ladder's finest model is the truth.
+    pub(super) finest: Vec<String>,
+    /// Whether bearing points and resultants follow from equilibrium, to rounding.
+    pub(super) is_balanced: bool,
     /// Whether the program chooses the geometry on which contact is found.
     pub(super) chooses_kinematics: bool,
 }
 
 impl Draw {
-    pub(super) fn new(rng: &mut StdRng) -> Self {
+    pub(crate) fn pin(_case: usize, rng: &mut StdRng) -> Self {
         let plane = if rng.random_bool(0.8) {
             "stress"
         } else {
@@ -53,10 +61,10 @@ impl Draw {
             plate = ISOTROPIC.into();
         }
         let is_laminate = plate.starts_with("laminate");
-        let (thickness, failure) = if is_laminate {
-            ("", FAILURE)
+        let (thickness, ply, failure) = if is_laminate {
+            ("", PLY, FAILURE)
         } else {
-            ("thickness = \"2 mm\"\n", "")
+            ("thickness = \"2 mm\"\n", "", "")
         };
         let chooses_kinematics = rng.random_bool(0.3);
         let kinematics = if chooses_kinematics { "auto" } else { "small" };
@@ -78,6 +86,9 @@ impl Draw {
         let (rim, interference) = (radius - gap, gap < 0.0);
         Self {
             chooses_kinematics,
+            family: "pins",
+            finest: Vec::new(),
+            is_balanced: true,
             text: format!(
                 r#"version = 1
 [analysis]
@@ -104,7 +115,7 @@ friction.{law}
 on = "pin.centre"
 fix = ["x", "y"]
 {loads}
-{failure}[output]
+{ply}{failure}[output]
 fields = "none"
 figures = false
 "#
@@ -114,7 +125,7 @@ figures = false
 }
 
 /// The plate's material: isotropic, a laminate, orthotropic along the pull, or aside of it.
-fn plate(rng: &mut StdRng) -> String {
+pub(super) fn plate(rng: &mut StdRng) -> String {
     let ratios: [f64; 2] = [rng.random_range(0.3..1.5), rng.random_range(0.15..0.7)];
     let [across, shear] = ratios.map(|ratio| 70.0 * ratio);
     let along = format!(
@@ -155,7 +166,7 @@ fn steps(rng: &mut StdRng) -> Vec<f64> {
     up.into_iter().chain(down).collect()
 }
 
-fn load(on: &str, direction: &str, steps: &[f64]) -> String {
+pub(super) fn load(on: &str, direction: &str, steps: &[f64]) -> String {
     let steps: Vec<String> = steps.iter().map(|force| format!("\"{force} N\"")).collect();
     let steps = steps.join(", ");
     format!("[[loads]]\non = \"{on}\"\nforce = {{ direction = {direction}, steps = [{steps}] }}\n")

@@ -15,7 +15,18 @@ const ROUNDING: f64 = 1e-9;
 pub(crate) struct Tally {
     rows: BTreeMap<(&'static str, bool), Row>,
     asked: BTreeMap<u64, [usize; 3]>,
+    families: BTreeMap<&'static str, Family>,
     failures: Vec<String>,
+}
+
+/// What was counted of one kind of draw.
+#[derive(Default)]
+struct Family {
+    cases: usize,
+    /// Cases whose accuracy was reached.
+    reached: usize,
+    held: usize,
+    decided: usize,
 }
 
 #[derive(Default)]
@@ -33,7 +44,8 @@ struct Row {
 
 impl Tally {
     /// Counts the numbers of a draw that was solved to the accuracy `asked`, and says which lie outside of their error.
-    pub(super) fn add(&mut self, compared: &Compared, asked: f64) -> String {
+    pub(super) fn add(&mut self, compared: &Compared, family: &'static str, asked: f64) -> String {
+        let before = self.total();
         let counts = compared.numbers.iter();
         let misses = counts.filter_map(|number| self.count(number, compared));
         let misses: String = misses.collect();
@@ -41,6 +53,12 @@ impl Tally {
         counts[0] += 1;
         counts[1] += usize::from(compared.is_reached);
         counts[2] += usize::from(compared.is_met);
+        let after = self.total();
+        let own = self.families.entry(family).or_default();
+        own.cases += 1;
+        own.reached += usize::from(compared.is_reached);
+        own.held += after.0 - before.0;
+        own.decided += after.1 - before.1;
         misses
     }
 
@@ -58,7 +76,8 @@ impl Tally {
             return None;
         };
         let apart = (value - exact).abs();
-        if apart <= ROUNDING && own <= ROUNDING {
+        let rounding = ROUNDING * exact.abs().max(1.0);
+        if apart <= rounding && own <= rounding {
             return None;
         }
         if doubt > DECIDED * own.max(apart) {
@@ -80,7 +99,8 @@ impl Tally {
         })
     }
 
-    pub(super) fn failed(&mut self, case: usize, why: &str) -> String {
+    pub(super) fn failed(&mut self, case: usize, family: &'static str, why: &str) -> String {
+        self.families.entry(family).or_default().cases += 1;
         self.failures.push(format!("case {case}: {why}"));
         format!("  not solved: {why}\n")
     }
@@ -107,8 +127,8 @@ impl Tally {
     }
 
     /// The tables in Markdown.
-    pub(super) fn text(&self, cases: usize, seed: u64) -> String {
-        let mut text = format!("{cases} random pins, seed {seed}.\n\n");
+    pub(super) fn text(&self, cases: usize, what: &str, seed: u64) -> String {
+        let mut text = format!("{cases} random {what}, seed {seed}.\n\n");
         text += "| number | steps | within | of | median stated/true | worst miss, true/stated | undecided | no error |\n|---|---|---:|---:|---:|---:|---:|---:|\n";
         for ((name, unloading), row) in &self.rows {
             let decided = row.held + row.missed;
@@ -129,11 +149,36 @@ impl Tally {
             let percent = 100.0 * f64::from_bits(*asked);
             let _ = writeln!(text, "| {percent} % | {cases} | {reached} | {met} |");
         }
+        if self.families.len() > 1 {
+            text += &self.by_family();
+        }
         if !self.failures.is_empty() {
             let _ = writeln!(text, "\nNot solved: {}.", self.failures.len());
             for failure in self.failures.iter().take(20) {
                 let _ = writeln!(text, "- {failure}");
             }
+        }
+        text
+    }
+}
+
+impl Tally {
+    fn by_family(&self) -> String {
+        let mut text =
+            "\n| family | cases | reached | within | of |\n|---|---:|---:|---:|---:|\n".to_owned();
+        for (name, own) in &self.families {
+            let share = 100.0 * own.held as f64 / own.decided.max(1) as f64;
+            let Family {
+                cases,
+                reached,
+                decided,
+                ..
+            } = own;
+            // Writing into a string does not fail.
+            let _ = writeln!(
+                text,
+                "| {name} | {cases} | {reached} | {share:.1} % | {decided} |"
+            );
         }
         text
     }

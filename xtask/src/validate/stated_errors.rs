@@ -2,7 +2,7 @@
 
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::accuracy::{ASKED, COVERAGE, FEW, counted};
+use crate::accuracy::{ASKED, COVERAGE, FEW, PINS, counted};
 use crate::publish::TaskError;
 
 /// Seed of the pins.
@@ -12,7 +12,7 @@ const FEWER: usize = 8;
 
 pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let count = laboratory.sized(FEWER, FEW);
-    let tally = counted(count, SEED, &ASKED[..2], |_, _, _, _| {});
+    let tally = counted((count, SEED), &PINS, &ASKED[..2], |_, _, _, _| {});
     let mut checks = Checks::against("finest nodes, eight times as many increments");
     let (held, decided) = tally.total();
     if decided == 0 {

@@ -8,6 +8,7 @@ mod laws;
 mod line;
 mod loads;
 mod materials;
+mod outline;
 mod plain;
 
 use serde_json::{Map, Value, json};
@@ -43,18 +44,17 @@ enum Family {
     Two,
     Line,
     Plain,
+    Holes,
+    Punch,
 }
+
+/// One of so many scenes is of general outlines.
+const OUTLINES: u64 = 8;
 
 /// The scene of `seed`.
 pub(super) fn scene(seed: u64) -> Value {
     let mut draw = Draw::new(seed, 1);
-    let family = draw.weighted(&[
-        (0.50, Family::Pin),
-        (0.22, Family::Bushing),
-        (0.05, Family::Two),
-        (0.13, Family::Line),
-        (0.10, Family::Plain),
-    ]);
+    let family = family(&mut draw, seed);
     let mut draft = Draft {
         strain: draw.chance(0.2),
         hot: draw.chance(0.25),
@@ -86,8 +86,25 @@ pub(super) fn scene(seed: u64) -> Value {
         }
         Family::Line => draft.line_contact(),
         Family::Plain => draft.without_contact(),
+        Family::Holes => draft.holes(),
+        Family::Punch => draft.punch(),
     };
     draft.finish(seed, &mesh)
+}
+
+/// What the scene of `seed` models.
+fn family(draw: &mut Draw, seed: u64) -> Family {
+    // By the seed, so that the other scenes are those of earlier records.
+    if seed % OUTLINES == 5 {
+        return draw.weighted(&[(0.6, Family::Holes), (0.4, Family::Punch)]);
+    }
+    draw.weighted(&[
+        (0.50, Family::Pin),
+        (0.22, Family::Bushing),
+        (0.05, Family::Two),
+        (0.13, Family::Line),
+        (0.10, Family::Plain),
+    ])
 }
 
 impl Draft {

@@ -56,7 +56,11 @@ fn compare(sample: &Sample, other: &Sample, own: &Answer, answer: &Answer) -> Ve
 pub(super) fn mirrored(sample: &Sample) -> Verdict {
     let round = sample.is_round();
     let mut bodies = super::quantity::table(&sample.value, "bodies");
-    let flat = bodies.any(|(_, body)| body["shape"].get("rectangle").is_some());
+    // A rectangle and triangles of outlines have no mirror images.
+    let flat = bodies.any(|(_, body)| {
+        let mut shapes = ["rectangle", "outline"].into_iter();
+        shapes.any(|shape| body["shape"].get(shape).is_some())
+    });
     if flat || sample.is_half() {
         return Verdict::Beside;
     }

@@ -53,34 +53,34 @@ impl Draft {
             "lower.bottom"
         };
         self.fix(under);
-        self.press_on(digits(share * softest * half * thickness, 4));
+        self.press_on("upper", digits(share * softest * half * thickness, 4));
         self.line_mesh(half)
     }
 
-    /// Presses the top and perhaps pushes it along x.
-    fn press_on(&mut self, force: f64) {
+    /// Presses the top of `body` and perhaps pushes it along x.
+    pub(super) fn press_on(&mut self, body: &str, force: f64) {
+        let top = format!("{body}.top");
         let free = if self.draw.chance(0.6) {
             json!(["x", "y"])
         } else {
             json!(["y"])
         };
         let slides = free.as_array().is_some_and(|axes| axes.len() == 2);
-        self.platens
-            .push(json!({ "on": "upper.top", "free": free }));
+        self.platens.push(json!({ "on": top, "free": free }));
         let steps = self.one_sided(force, "N");
-        let press = json!({ "name": "press", "on": "upper.top", "force": { "direction": [0.0, -1.0], "steps": steps } });
+        let press = json!({ "name": "press", "on": top, "force": { "direction": [0.0, -1.0], "steps": steps } });
         self.loads.push(press);
         if slides && self.draw.chance(0.7) {
             let most = digits(force * self.draw.between(0.001, 0.06), 4);
             let steps = self.history(most, "N");
-            let push = json!({ "name": "push", "on": "upper.top", "force": { "direction": [1.0, 0.0], "steps": steps } });
+            let push = json!({ "name": "push", "on": top, "force": { "direction": [1.0, 0.0], "steps": steps } });
             self.loads.push(push);
         }
         if self.hot && self.draw.chance(0.5) {
             let steps = self.heat();
-            self.load("upper", json!({ "temperature": { "steps": steps } }));
+            self.load(body, json!({ "temperature": { "steps": steps } }));
         }
-        if self.is_laminate("upper") {
+        if self.is_laminate(body) {
             self.laminates.clear();
         }
     }
