@@ -127,7 +127,8 @@ pub(crate) fn counted(
     let compared = draws.par_iter().enumerate();
     let compared = compared.map(|(k, draw)| {
         let compared = compare(draw, asked(k));
-        eprintln!("case {k}, {}: {}", draw.family, progress(&compared));
+        let progress = progress(&compared, draw.family, asked(k));
+        eprintln!("case {k}, {}: {}", draw.family, progress.trim_end());
         compared
     });
     let compared: Vec<_> = compared.collect();
@@ -145,18 +146,20 @@ pub(crate) fn counted(
 }
 
 /// What is known of a case as soon as it is compared.
-fn progress(compared: &Result<Compared, String>) -> String {
-    match compared {
-        Ok(compared) => {
-            let reached = if compared.is_reached {
-                "reached"
-            } else {
-                "not reached"
-            };
-            format!("{reached}, {} numbers", compared.numbers.len())
-        }
-        Err(why) => why.clone(),
-    }
+fn progress(compared: &Result<Compared, String>, family: &'static str, asked: f64) -> String {
+    let compared = match compared {
+        Ok(compared) => compared,
+        Err(why) => return why.clone(),
+    };
+    let mut own = Tally::default();
+    let misses = own.add(compared, family, asked);
+    let (held, decided) = own.total();
+    let reached = if compared.is_reached {
+        "reached"
+    } else {
+        "not reached"
+    };
+    format!("{reached}, {held} of {decided} decided numbers within\n{misses}")
 }
 
 /// What the answer to a draw says, beside a finer one.
@@ -225,7 +228,8 @@ fn truth(draw: &Draw, increments: usize) -> Result<Results, String> {
     } else {
         FINER_OF_MESH
     };
-    let increments = (times * increments).min(FINEST / FINER * times);
+    let most = increments.max(FINEST / FINER * times);
+    let increments = (times * increments).min(most);
     let increments = format!("analysis.substeps={increments}");
     let mut finer = vec![
         &*increments,

@@ -11,7 +11,7 @@ use rand::rngs::StdRng;
 use super::draw::Draw;
 
 /// Processor time after which no finer model is tried `[s]`: the finest ones take minutes.
-const BUDGET: f64 = 3.0;
+const BUDGET: f64 = 2.0;
 
 /// One of the four families in turn.
 pub(super) fn draw(case: usize, rng: &mut StdRng) -> Draw {

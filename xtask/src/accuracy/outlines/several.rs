@@ -23,7 +23,7 @@ pub(super) fn fasteners(rng: &mut StdRng) -> Draw {
     Draw {
         family: "several fasteners",
         chooses_kinematics: false,
-        finest: vec!["mesh.spacing=1 deg".into()],
+        finest: vec!["mesh.spacing=0.75 deg".into()],
         is_balanced: false,
         text,
     }
@@ -31,7 +31,7 @@ pub(super) fn fasteners(rng: &mut StdRng) -> Draw {
 
 /// Two to four pins in a plate, beside each other or behind each other, each held by its section; a part of the pull may pass by.
 fn plate(rng: &mut StdRng) -> String {
-    let count = [2, 2, 2, 3, 4][rng.random_range(0..5)];
+    let count = [2, 2, 2, 2, 3, 4][rng.random_range(0..6)];
     let pitch = RADIUS * rng.random_range(3.2..6.0);
     let half = RADIUS * rng.random_range(2.0..5.0);
     let [before, behind] = [3.0..12.0, 2.0..6.0].map(|range| {

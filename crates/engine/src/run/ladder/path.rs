@@ -8,7 +8,7 @@
 //!
 //! A change may vanish by chance, so those before count as if every halving took half of them. Only steps whose error is too large are divided further.
 
-use super::numbers::{Table, balanced_friction, sum, zipped};
+use super::numbers::{Table, sum, zipped};
 use crate::results::{EdgeResults, Errors, Stated};
 
 /// The error that increments leave is at most so many times the change that halving them last made.
@@ -20,6 +20,9 @@ pub(super) const PINNED: usize = 4;
 const KEPT: f64 = 0.7;
 /// The friction force follows the path more slowly than by any fixed rate where much slips; it takes so many times the error of the others.
 const FRICTION: f64 = 1.5;
+
+/// Part of the normal force below which a friction force is rounding.
+const BALANCED: f64 = 1e-9;
 
 /// The changes of numbers while increments are halved.
 #[derive(Default)]
@@ -111,8 +114,8 @@ fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
     for (errors, step) in errors.iter_mut().zip(steps) {
         for (errors, edge) in errors.iter_mut().zip(step) {
             let force = errors.get(Stated::FrictionForce);
-            // Friction that balances itself along an edge says nothing of stick.
-            let rubs = edge.friction_force.abs() > balanced_friction(edge);
+            // A friction force that balances itself along a line says nothing of stick.
+            let rubs = edge.friction_force.abs() > BALANCED * edge.normal_force.abs();
             let force_of_stick = force.filter(|_| rubs);
             let part =
                 force_of_stick.map_or(0.0, |error| (error / edge.friction_force.abs()).min(1.0));
