@@ -50,8 +50,8 @@ fn plate(rng: &mut StdRng) -> String {
     let (end, wide) = (most(0) + behind, most(1) + half);
     let mu = friction(rng);
     let history = history(rng);
-    let mut text = head("stress", false) + &isotropic("pin", rng);
-    text += &format!("[materials.plate.{ISOTROPIC}\n");
+    let plates = format!("[materials.plate.{ISOTROPIC}\n");
+    let mut text = head("stress", false) + &isotropic("pin", rng) + &plates;
     text += &body("plate", [-before, end, wide], &places);
     for k in 0..places.len() {
         let gap = RADIUS * 10.0_f64.powf(rng.random_range(-3.5..-2.0));
@@ -83,8 +83,8 @@ fn lap(rng: &mut StdRng) -> String {
     ][rng.random_range(0..2)];
     let places = [[0.0, 0.0], [pitch, 0.0]];
     let history = history(rng);
-    let mut text = head("stress", false) + &isotropic("pin", rng);
-    text += &format!("[materials.plate.{ISOTROPIC}\n");
+    let plates = format!("[materials.plate.{ISOTROPIC}\n");
+    let mut text = head("stress", false) + &isotropic("pin", rng) + &plates;
     text += &body("lower", [-end, pitch + free, half], &places);
     text += &body("upper", [-free, pitch + end, half], &places);
     for k in 0..places.len() {

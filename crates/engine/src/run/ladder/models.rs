@@ -402,7 +402,7 @@ impl<'a> Models<'a> {
             ),
         };
         if let Some(own) = &scene.mesh_by_lengths {
-            division += &format!(" and {}", own.division);
+            division = format!("{division} and {}", own.division);
         }
         if self.kinematics == KinematicsChoice::DeformedGaps {
             division += ", deformed gaps";
