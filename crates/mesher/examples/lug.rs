@@ -27,6 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             line("clamped", [-4.0, -1.0]),
             line("bottom", [0.0, -1.0]),
         ],
+        cutouts: Vec::new(),
         holes: vec![Hole {
             name: "hole".into(),
             centre: [0.0, 0.0],

@@ -1,6 +1,7 @@
-//! Outlines of straight lines and arcs, with circular holes.
+//! Outlines of straight lines and arcs, with cut-outs of the same and circular holes.
 
 mod check;
+mod inside;
 
 use stickslip_fem_core::mesh::Point;
 
@@ -35,13 +36,26 @@ pub struct Hole {
     pub layers: Option<usize>,
 }
 
-/// A plane body: a closed outline with the body on its left, and holes.
+/// A closed loop of lines and arcs inside the outline, with the body around it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cutout {
+    /// Its name in errors.
+    pub name: String,
+    /// Where the first piece begins `[length]`.
+    pub start: Point,
+    /// The pieces counter-clockwise; the last ends at `start`.
+    pub pieces: Vec<Piece>,
+}
+
+/// A plane body: a closed outline, cut-outs and holes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contour {
     /// Where the first piece begins `[length]`.
     pub start: Point,
     /// The pieces counter-clockwise; the last ends at `start`.
     pub pieces: Vec<Piece>,
+    /// Cut-outs inside the outline.
+    pub cutouts: Vec<Cutout>,
     /// Holes inside the outline.
     pub holes: Vec<Hole>,
 }
@@ -53,13 +67,47 @@ impl Contour {
             let [low, high] = track.bounds();
             grown(grown(all, low), high)
         };
-        let tracks = self.tracks();
+        let tracks = self.outline().tracks();
         let lines = tracks.map(|(_, track)| track.unwrap_or_else(|line| line));
         lines.fold(grown(NOWHERE, self.start), |all, track| box_of(all, &track))
     }
 
+    fn outline(&self) -> Loop<'_> {
+        Loop {
+            cutout: None,
+            start: self.start,
+            pieces: &self.pieces,
+        }
+    }
+
+    /// The outline, then each cut-out.
+    fn loops(&self) -> impl Iterator<Item = Loop<'_>> {
+        let cutouts = self.cutouts.iter().map(|own| Loop {
+            cutout: Some(&own.name),
+            start: own.start,
+            pieces: &own.pieces,
+        });
+        std::iter::once(self.outline()).chain(cutouts)
+    }
+}
+
+/// A closed loop as it is listed.
+#[derive(Clone, Copy)]
+struct Loop<'a> {
+    /// Name of a cut-out; `None` of the outline.
+    cutout: Option<&'a str>,
+    start: Point,
+    pieces: &'a [Piece],
+}
+
+impl<'a> Loop<'a> {
+    /// Name of a cut-out; `None` of the outline.
+    fn name(&self) -> Option<String> {
+        self.cutout.map(str::to_owned)
+    }
+
     /// Each piece with its track; where three points make no arc, the line between its ends is the error.
-    fn tracks(&self) -> impl Iterator<Item = (&Piece, Result<Track, Track>)> {
+    fn tracks(self) -> impl Iterator<Item = (&'a Piece, Result<Track, Track>)> {
         let begins = std::iter::once(self.start).chain(self.pieces.iter().map(|piece| piece.to));
         self.pieces.iter().zip(begins).map(|(piece, from)| {
             let line = || Track::line(from, piece.to);

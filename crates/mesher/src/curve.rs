@@ -94,6 +94,15 @@ impl Track {
         }
     }
 
+    /// Walks it the other way.
+    pub(crate) fn reverse(&mut self) {
+        std::mem::swap(&mut self.from, &mut self.to);
+        if let Some(bend) = &mut self.bend {
+            bend.start += bend.sweep;
+            bend.sweep = -bend.sweep;
+        }
+    }
+
     /// Centre of an arc.
     pub(crate) fn centre(&self) -> Option<Point> {
         self.bend.map(|bend| bend.centre)

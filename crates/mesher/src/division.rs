@@ -14,7 +14,7 @@ pub struct Division {
     pub spacing: Option<f64>,
     /// Growth of the cell size per unit of distance `[1]`, above 0 and at most 1.
     pub growth: f64,
-    /// By how many times cells on pieces of the outline, counted from 0, are smaller than the largest `[1]`.
+    /// By how many times cells on pieces of the outline, counted from 0, and then of the cut-outs are smaller than the largest `[1]`.
     pub refined: BTreeMap<usize, f64>,
     /// Everything is moved by this `[length]`.
     pub centre: Point,

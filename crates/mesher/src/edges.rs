@@ -57,12 +57,15 @@ impl Boundary {
             segments: Vec::new(),
             acute: BTreeSet::new(),
         };
-        for k in 0..plan.outline.tracks.len() {
-            boundary.piece(plan, k, limit)?;
-        }
-        // The last node of the last piece is the first of the first.
-        if let Some(last) = boundary.segments.last_mut() {
-            last.ends[1] = 0;
+        for pieces in &plan.outline.loops {
+            let first = boundary.points.len();
+            for k in pieces.clone() {
+                boundary.piece(plan, k, limit)?;
+            }
+            // The last node of the last piece is the first of the first.
+            if let Some(last) = boundary.segments.last_mut() {
+                last.ends[1] = first;
+            }
         }
         for (k, ring) in plan.rings.iter().enumerate() {
             let first = boundary.points.len();
@@ -80,7 +83,7 @@ impl Boundary {
     /// Adds the nodes of piece `k` without its end.
     fn piece(&mut self, plan: &Plan, k: usize, limit: usize) -> Result<(), ContourError> {
         let track = &plan.outline.tracks[k];
-        let next = (k + 1) % plan.outline.tracks.len();
+        let next = plan.outline.after(k);
         if plan.outline.angle(k) < SHARP {
             self.acute.insert(self.points.len());
         }

@@ -8,9 +8,11 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum ContourError {
-    /// An outline of one piece or none.
-    #[error("the outline has {count} edges, at least 2 are needed")]
+    /// A loop of one piece or none.
+    #[error("{} has {count} edges, at least 2 are needed", called(cutout))]
     TooFewPieces {
+        /// Name of the cut-out; `None` of the outline.
+        cutout: Option<String>,
         /// How many there are.
         count: usize,
     },
@@ -44,15 +46,17 @@ pub enum ContourError {
     },
     /// The last piece does not end where the first begins.
     #[error(
-        "the outline is open: its last edge '{piece}' ends at ({}, {}), a distance of {gap} from the start ({}, {})",
-        end[0], end[1], start[0], start[1]
+        "{} is open: its last edge '{piece}' ends at ({}, {}), a distance of {gap} from the start ({}, {})",
+        called(cutout), end[0], end[1], start[0], start[1]
     )]
     Open {
+        /// Name of the cut-out; `None` of the outline.
+        cutout: Option<String>,
         /// Name of the last piece.
         piece: String,
         /// Its end `[length]`.
         end: Point,
-        /// Start of the outline `[length]`.
+        /// Start of the loop `[length]`.
         start: Point,
         /// Distance between them `[length]`.
         gap: f64,
@@ -73,10 +77,15 @@ pub enum ContourError {
         /// Name of the piece.
         piece: String,
     },
-    /// The body would be on the right of the outline.
-    #[error("the outline is clockwise (its signed area is {area}); reverse the order of its edges")]
+    /// Pieces in the wrong order.
+    #[error(
+        "{} is clockwise (its signed area is {area}); reverse the order of its edges",
+        called(cutout)
+    )]
     Clockwise {
-        /// Signed area of the outline `[length²]`.
+        /// Name of the cut-out; `None` of the outline.
+        cutout: Option<String>,
+        /// Signed area of the loop `[length²]`.
         area: f64,
     },
     /// Two pieces that cross or touch.
@@ -104,12 +113,30 @@ pub enum ContourError {
         /// The corner `[length]`.
         at: Point,
     },
+    /// A cut-out beside the body.
+    #[error("cut-out '{cutout}' lies outside the outline, such as its corner ({:.6}, {:.6})", at[0], at[1])]
+    CutoutOutside {
+        /// Name of the cut-out.
+        cutout: String,
+        /// A corner of it `[length]`.
+        at: Point,
+    },
+    /// A cut-out where another one has left nothing.
+    #[error("cut-out '{inner}' lies inside cut-out '{outer}'")]
+    CutoutInside {
+        /// Name of the one inside.
+        inner: String,
+        /// Name of the one around it.
+        outer: String,
+    },
     /// A hole beside the body.
-    #[error("hole '{hole}' lies outside the outline, {distance} from it to the hole's centre")]
+    #[error(
+        "hole '{hole}' lies outside the body, {distance} from its nearest edge to the hole's centre"
+    )]
     HoleOutside {
         /// Name of the hole.
         hole: String,
-        /// Distance from its centre to the outline `[length]`.
+        /// Distance from its centre to the nearest edge `[length]`.
         distance: f64,
     },
     /// A hole that reaches the outline.
@@ -230,6 +257,14 @@ pub enum ContourError {
     /// The triangles are in order but their curved cells are not.
     #[error("the generated mesh is not valid; give the holes more angles")]
     Mesh(#[from] MeshError),
+}
+
+/// What a message calls a loop.
+fn called(cutout: &Option<String>) -> String {
+    cutout.as_ref().map_or_else(
+        || "the outline".to_owned(),
+        |name| format!("cut-out '{name}'"),
+    )
 }
 
 /// Memory of a node of a triangle mesh with its share of the cells `[bytes]`.

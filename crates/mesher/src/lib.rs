@@ -1,4 +1,5 @@
-//! Triangle meshes of plane bodies whose outline is made of straight lines and circular arcs, with circular holes anywhere in it.
+//! Triangle meshes of plane bodies whose outline is made of straight lines and circular arcs, with cut-outs of the same and circular
+//! holes anywhere in it.
 //!
 //! A size function rules the cells,
 //!
@@ -6,7 +7,7 @@
 //! h(x) = min over sources s of (h_s + g |x − x_s|),
 //! ```
 //!
-//! with growth g and sources on holes, arcs, sharp and re-entrant corners, narrow gaps, and edges that are to be finer.
+//! with growth g and sources on holes, arcs, sharp and re-entrant corners, narrow gaps and walls, and edges that are to be finer.
 //!
 //! | step | result | source |
 //! | --- | --- | --- |
@@ -29,6 +30,7 @@
 //!         line("top", [0.0, 2.0]),
 //!         line("left", [0.0, 0.0]),
 //!     ],
+//!     cutouts: Vec::new(),
 //!     holes: vec![Hole {
 //!         name: "hole".into(),
 //!         centre: [3.0, 1.0],
@@ -64,7 +66,7 @@ mod smooth;
 mod triangulate;
 mod vector;
 
-pub use contour::{Contour, Hole, Piece};
+pub use contour::{Contour, Cutout, Hole, Piece};
 pub use contour_mesh::ContourMesh;
 pub use division::Division;
 pub use error::ContourError;

@@ -73,11 +73,11 @@ impl Plan {
         let half = [0, 1].map(|c| (high[c] - low[c]) / 2.0);
         let cells = CELLS_PER_SIZE * self.integral(middle, half, DEPTH);
         let structured: usize = self.rings.iter().map(Ring::cells).sum();
-        let pieces = self.outline.tracks.iter().enumerate();
+        let pieces = self.outline.numbers.iter().zip(&self.outline.tracks);
         // A row of cells along fine pieces that the integral does not resolve.
         let along: f64 = pieces
             .filter_map(|(piece, track)| {
-                Some(track.length() * refined.get(&piece)? / self.size.cap())
+                Some(track.length() * refined.get(piece)? / self.size.cap())
             })
             .sum();
         let cells = cells.max(2.0 * along) + structured as f64;

@@ -17,6 +17,9 @@ const ACROSS_BODY: f64 = 10.0;
 /// Cells across a gap.
 const ACROSS_GAP: f64 = 4.0;
 
+/// Places along each piece of a cut-out at which the gap beside it is measured.
+const WALL_SAMPLES: u8 = 16;
+
 /// Cells across a gap between pieces that are no neighbours, seen from a corner.
 const ACROSS_NECK: f64 = 3.0;
 
@@ -61,11 +64,11 @@ impl Size {
         let [low, high] = outline.bounds;
         let narrow = (high[0] - low[0]).min(high[1] - low[1]);
         let cap = division.spacing.unwrap_or(narrow / ACROSS_BODY);
-        let tracks = outline.tracks.iter().enumerate();
+        let tracks = outline.numbers.iter().zip(&outline.tracks);
         let tracks = tracks
             .map(|(piece, track)| {
                 let arc = track.radius().map(|radius| ARC_STEP * radius);
-                let fine = division.refined.get(&piece).map(|times| cap / times);
+                let fine = division.refined.get(piece).map(|times| cap / times);
                 let sizes = [arc, fine].into_iter().flatten();
                 (track.clone(), sizes.fold(track.length(), f64::min))
             })
@@ -78,6 +81,7 @@ impl Size {
         let corners = (0..outline.tracks.len()).flat_map(|k| corner(outline, k));
         clusters.extend(corners.filter(|c| c.least < cap));
         clusters.extend(gaps(contour, outline, rings));
+        clusters.extend(walls(outline, cap));
         Self {
             cap,
             growth: division.growth,
@@ -187,4 +191,24 @@ fn gaps(contour: &Contour, outline: &Outline, rings: &[Ring]) -> Vec<Cluster> {
         }
     }
     clusters
+}
+
+/// Sources between each cut-out and the nearest piece of the outline or of another one.
+fn walls(outline: &Outline, cap: f64) -> Option<Cluster> {
+    let mut points = Vec::new();
+    for (own, pieces) in outline.loops.iter().enumerate().skip(1) {
+        let others = (0..outline.tracks.len()).filter(|&other| outline.loop_of(other) != own);
+        let others: Vec<&Track> = others.map(|other| &outline.tracks[other]).collect();
+        for track in &outline.tracks[pieces.clone()] {
+            for k in 0..WALL_SAMPLES {
+                let part = (f64::from(k) + 0.5) / f64::from(WALL_SAMPLES);
+                let point = track.at(part * track.length());
+                let gaps = others.iter().map(|other| gap(other, point));
+                let nearest = gaps.min_by(|a, b| a.1.total_cmp(&b.1));
+                points.extend(nearest.map(|(at, width)| (at, width / ACROSS_GAP)));
+            }
+        }
+    }
+    points.retain(|&(_, size)| size < cap);
+    (!points.is_empty()).then(|| Cluster::new(points))
 }

@@ -101,10 +101,10 @@ fn place(table: &Table) -> String {
     let rest = match first {
         "materials" => rest.replacen("NAME", "aluminium", 1),
         "plies" => rest.replacen("NAME", "carbon", 1),
-        "bodies" => {
-            rest.replacen("NAME", "plate", 1)
-                .replacen("outline.edges", "outline.edges.0", 1)
-        }
+        "bodies" => rest
+            .replacen("NAME", "plate", 1)
+            .replacen("outline.edges", "outline.edges.0", 1)
+            .replacen("NAME.edges", "NAME.edges.0", 1),
         "contacts" | "supports" | "platens" | "loads" | "edges" => {
             format!("0.{rest}").trim_end_matches('.').to_owned()
         }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use stickslip_contact::{ContactPair, ContactPoint, Facing};
 use stickslip_fem_core::mesh::Point;
 
-use self::edge::{EdgeNodes, edge_nodes};
+use self::edge::{EdgeNodes, edge_nodes, reported_nodes};
 use self::geometry::Geometry;
 use self::projection::{Side, Tied};
 use super::plan::{ContactPlan, Placed, Plan};
@@ -61,7 +61,7 @@ pub(super) fn build(
             continue;
         }
         let body = &plan.bodies[reported.body];
-        let edge = edge_nodes(reported, meshes, half)?;
+        let edge = reported_nodes(reported, body, meshes, half)?;
         let edge = edge.into_model_edge(reported, body, half, None);
         let mut edge = loaded(plan, reported, edge);
         edge.geometry.frame = loads::frame(plan, reported.of, half);

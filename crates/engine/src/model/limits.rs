@@ -81,9 +81,18 @@ fn reported(plan: &Plan<'_>, index: usize, edge: &Placed<'_, SetRef>) -> Result<
         let what = format!("{on} belongs to a rigid body, which has no stresses");
         return refuse(key, what);
     }
-    if edge.edge.as_ref().is_some_and(|own| !own.is_reportable()) {
-        let what =
-            format!("{on} does not run along x; only circles and edges along x are reported");
+    let has_axis = plan.bodies[edge.body].shape.mirror().is_some();
+    let own = edge.edge.as_ref().filter(|own| !own.is_reportable());
+    if own.is_some_and(|_| has_axis) {
+        let what = format!(
+            "{on} does not run along x; of a shape with an axis circles and edges along x are reported; draw the body as shape.outline"
+        );
+        return refuse(key, what);
+    }
+    if own.is_some_and(|own| own.curve.path().is_none()) {
+        let what = format!(
+            "{on} is neither a circle nor an open edge of known lines and arcs; give its parts names of their own"
+        );
         return refuse(key, what);
     }
     Ok(())

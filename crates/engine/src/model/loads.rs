@@ -16,7 +16,7 @@ use super::plan::{Placed, Plan};
 use super::polar_table::PolarField;
 use super::resultant::{centre_of, matched};
 use super::{Meshes, ModelBodyKind, ModelEdge, ModelError};
-use crate::results::{BearingSource, ContactFrame};
+use crate::results::{BearingSource, ContactFrame, EdgeKind};
 use stickslip_scene::schema::{self, Hold, Load, LoadKind, SetRef};
 use stickslip_scene::shape::Edge;
 
@@ -297,6 +297,14 @@ fn sign<T>(on: &Placed<'_, T>) -> f64 {
     }
 }
 
+/// −1 where the normal of results on the reported edge points into the body, as along every path, otherwise 1.
+fn outward(placed: &Placed<'_, SetRef>, edge: &ModelEdge) -> f64 {
+    match edge.geometry.kind {
+        EdgeKind::Path => -1.0,
+        EdgeKind::Circle { .. } | EdgeKind::Line => sign(placed),
+    }
+}
+
 /// Tractions (σ_nn, τ_nt) of unit loads on a reported edge, in the edge's frame (n, t), t being n turned by +90°.
 pub(super) fn edge_tractions(
     plan: &Plan<'_>,
@@ -305,7 +313,7 @@ pub(super) fn edge_tractions(
 ) -> Vec<(usize, Vec<[f64; 2]>)> {
     let on = placed.of;
     // n is e_r or +y, which points into a hole's body and out of the body above a lower side.
-    let outward = sign(placed);
+    let outward = outward(placed, edge);
     let area: f64 = edge.areas.iter().sum::<f64>() * if edge.geometry.half { 2.0 } else { 1.0 };
     let mut all = Vec::new();
     for (case, load) in plan.loads.iter().enumerate() {
@@ -359,7 +367,7 @@ pub(super) fn edge_reactions(
     let Some(&first) = held.first() else {
         return Vec::new();
     };
-    let outward = sign(placed);
+    let outward = outward(placed, edge);
     let parallel = |other: &[f64; 2]| (first[0] * other[1] - first[1] * other[0]).abs() < 1e-9;
     let all = !held.iter().all(parallel);
     let taken = |force: [f64; 2]| {

@@ -146,15 +146,24 @@ fn series_stresses(
         let nodes = own.mesh().nodes();
         let of_state = |state| {
             let field = body.field(state)?;
-            let at = |&node: &usize| {
-                let [xx, yy, xy] = stress_at(&field, body, nodes[node]);
-                [yy, xx, xy]
+            let at = |(&node, &normal): (&usize, &[f64; 2])| {
+                along_edge(stress_at(&field, body, nodes[node]), normal)
             };
-            Ok(edge.nodes.iter().map(at).collect())
+            Ok(edge.nodes.iter().zip(&edge.normals).map(at).collect())
         };
         return states.iter().map(of_state).collect();
     }
     body.edge_stresses(states, &edge.geometry.parameter)
+}
+
+/// Stress normal to an edge with the unit normal n, stress along it, and shear, counted against t, which is n turned by +90°.
+fn along_edge([xx, yy, xy]: [f64; 3], [nx, ny]: [f64; 2]) -> [f64; 3] {
+    let twice = 2.0 * nx * ny * xy;
+    [
+        nx * nx * xx + ny * ny * yy + twice,
+        ny * ny * xx + nx * nx * yy - twice,
+        nx * ny * (xx - yy) + (ny * ny - nx * nx) * xy,
+    ]
 }
 
 /// Displacements of a contact edge's nodes that strain its first body: u = C λ + Σ m_k u_k, no sparse solve.

@@ -66,9 +66,11 @@ fn put_edges(model: &Model, index: usize, edges: &[EdgeResults], stress: &mut [[
             let [across, along, shear] = [row.sigma_normal, row.sigma_tangential, row.tau];
             stress[node] = match edge.geometry.kind {
                 EdgeKind::Circle { .. } => cartesian([across, along, shear], at),
-                EdgeKind::Line => [along, across, shear],
-                // Shear is counted along the walk, against e_t.
-                EdgeKind::Path => cartesian([across, along, -shear], normal[1].atan2(normal[0])),
+                EdgeKind::Line if *normal == [0.0, 1.0] => [along, across, shear],
+                // Shear is counted against e_t.
+                EdgeKind::Line | EdgeKind::Path => {
+                    cartesian([across, along, -shear], normal[1].atan2(normal[0]))
+                }
             };
         }
     }

@@ -5,8 +5,10 @@ use std::f64::consts::{FRAC_PI_3, TAU};
 
 use stickslip_fem_core::mesh::Point;
 
-use super::{Contour, Hole};
+use super::inside::{apart, cutouts, inside};
+use super::{Contour, Hole, Loop};
 use crate::ContourError;
+use crate::curve::Track;
 use crate::outline::Outline;
 use crate::vector::distance;
 
@@ -38,25 +40,38 @@ impl Contour {
 
 /// Checks a contour and resolves its pieces.
 pub(crate) fn checked(contour: &Contour) -> Result<Outline, ContourError> {
-    let count = contour.pieces.len();
-    if count < 2 {
-        return Err(ContourError::TooFewPieces { count });
+    if let Some(short) = contour.loops().find(|own| own.pieces.len() < 2) {
+        return Err(ContourError::TooFewPieces {
+            cutout: short.name(),
+            count: short.pieces.len(),
+        });
     }
     numbers(contour)?;
     names(contour)?;
     let outline = resolved(contour)?;
     crossings(&outline)?;
-    let area = outline.area();
-    if area <= 0.0 {
-        return Err(ContourError::Clockwise { area });
-    }
+    directions(contour, &outline)?;
     corners(&outline)?;
+    cutouts(contour, &outline)?;
     for (k, hole) in contour.holes.iter().enumerate() {
         angles(hole)?;
         inside(hole, &outline)?;
         apart(hole, &contour.holes[..k], outline.tolerance)?;
     }
     Ok(outline)
+}
+
+/// Every loop is listed counter-clockwise.
+fn directions(contour: &Contour, outline: &Outline) -> Result<(), ContourError> {
+    for (k, own) in contour.loops().enumerate() {
+        // A cut-out is walked against its list.
+        let area = outline.area(k) * if own.cutout.is_some() { -1.0 } else { 1.0 };
+        if area <= 0.0 {
+            let cutout = own.name();
+            return Err(ContourError::Clockwise { cutout, area });
+        }
+    }
+    Ok(())
 }
 
 /// Coordinates and radii are finite, radii positive.
@@ -70,8 +85,14 @@ fn numbers(contour: &Contour) -> Result<(), ContourError> {
             })
         })
     };
-    finite(&|| "start of the outline".into(), contour.start)?;
-    for piece in &contour.pieces {
+    for own in contour.loops() {
+        let of = || match own.cutout {
+            Some(name) => format!("start of cut-out '{name}'"),
+            None => "start of the outline".into(),
+        };
+        finite(&of, own.start)?;
+    }
+    for piece in contour.loops().flat_map(|own| own.pieces) {
         let name = &piece.name;
         finite(&|| format!("end of edge '{name}'"), piece.to)?;
         let through = piece.through.unwrap_or(piece.to);
@@ -93,7 +114,8 @@ fn numbers(contour: &Contour) -> Result<(), ContourError> {
 
 /// Everything has a name; runs of neighbouring pieces share one, nothing else does.
 fn names(contour: &Contour) -> Result<(), ContourError> {
-    let pieces = contour.pieces.iter().map(|piece| ("edge", &piece.name));
+    let pieces = contour.loops().flat_map(|own| own.pieces);
+    let pieces = pieces.map(|piece| ("edge", &piece.name));
     let holes = contour.holes.iter().map(|hole| ("hole", &hole.name));
     for (family, list) in [
         ("edge", pieces.collect::<Vec<_>>()),
@@ -104,26 +126,44 @@ fn names(contour: &Contour) -> Result<(), ContourError> {
             return Err(ContourError::EmptyName { what });
         }
     }
-    let count = contour.pieces.len();
-    let name = |k: usize| &contour.pieces[k % count].name;
     let mut seen = BTreeSet::new();
-    let runs = (0..count).filter(|&k| name(k) != name(k + count - 1));
     let holes = contour.holes.iter().map(|hole| &hole.name);
-    let one = (0..1).filter(|_| (0..count).all(|k| name(k) == name(0)));
-    let mut all = runs.chain(one).map(name).chain(holes);
+    let mut all = contour.loops().flat_map(runs).chain(holes);
     match all.find(|name| !seen.insert(name.as_str())) {
         Some(name) => Err(ContourError::DuplicateName { name: name.clone() }),
         None => Ok(()),
     }
 }
 
-/// The curves of a closed outline of pieces with a length.
+/// The names of runs of neighbouring pieces with one name.
+fn runs(own: Loop<'_>) -> Vec<&String> {
+    let count = own.pieces.len();
+    let name = |k: usize| &own.pieces[k % count].name;
+    let begins = (0..count).filter(|&k| name(k) != name(k + count - 1));
+    let names: Vec<&String> = begins.map(name).collect();
+    if names.is_empty() {
+        vec![name(0)]
+    } else {
+        names
+    }
+}
+
+/// The curves of closed loops of pieces with a length.
 fn resolved(contour: &Contour) -> Result<Outline, ContourError> {
     let [low, high] = contour.bounds();
     let extent = (high[0] - low[0]).max(high[1] - low[1]);
-    let tolerance = TOLERANCE * extent;
+    let mut outline = Outline::within([low, high], TOLERANCE * extent);
+    for own in contour.loops() {
+        let tracks = closed(own, outline.tolerance)?;
+        outline.add(tracks);
+    }
+    Ok(outline)
+}
+
+/// The named tracks of a loop, with a length each and the first beginning where the last ends.
+fn closed(own: Loop<'_>, tolerance: f64) -> Result<Vec<(String, Track)>, ContourError> {
     let mut tracks = Vec::new();
-    for (piece, track) in contour.tracks() {
+    for (piece, track) in own.tracks() {
         // A track as its own error is a line that stands for an arc.
         let chord = track.as_ref().unwrap_or_else(|line| line);
         if distance(chord.from, chord.to) <= tolerance {
@@ -132,24 +172,24 @@ fn resolved(contour: &Contour) -> Result<Outline, ContourError> {
                 at: piece.to,
             });
         }
-        tracks.push(track.map_err(|_| ContourError::StraightArc {
+        let track = track.map_err(|_| ContourError::StraightArc {
             piece: piece.name.clone(),
-        })?);
+        })?;
+        tracks.push((piece.name.clone(), track));
     }
-    let pieces = &contour.pieces;
     // There are at least two pieces.
-    let last = &pieces[pieces.len() - 1];
-    let gap = distance(last.to, contour.start);
+    let last = &own.pieces[own.pieces.len() - 1];
+    let gap = distance(last.to, own.start);
     if gap > tolerance {
         return Err(ContourError::Open {
+            cutout: own.name(),
             piece: last.name.clone(),
             end: last.to,
-            start: contour.start,
+            start: own.start,
             gap,
         });
     }
-    let names = pieces.iter().map(|piece| piece.name.clone()).collect();
-    Ok(Outline::new(names, tracks, [low, high], tolerance))
+    Ok(tracks)
 }
 
 /// No corner is a cusp.
@@ -227,59 +267,6 @@ fn angles(hole: &Hole) -> Result<(), ContourError> {
             width: next - after,
             widest: FRAC_PI_3,
         }),
-        None => Ok(()),
-    }
-}
-
-/// A hole lies inside the outline, apart from it.
-fn inside(hole: &Hole, outline: &Outline) -> Result<(), ContourError> {
-    let distances = outline
-        .tracks
-        .iter()
-        .map(|track| track.distance(hole.centre));
-    let (nearest, distance) = distances
-        .enumerate()
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        // There are at least two pieces.
-        .unwrap_or((0, f64::INFINITY));
-    if distance <= hole.radius + outline.tolerance {
-        return Err(ContourError::HoleCrosses {
-            hole: hole.name.clone(),
-            piece: outline.names[nearest].clone(),
-            distance,
-            radius: hole.radius,
-        });
-    }
-    if outline.contains(hole.centre) {
-        Ok(())
-    } else {
-        Err(ContourError::HoleOutside {
-            hole: hole.name.clone(),
-            distance,
-        })
-    }
-}
-
-/// A hole lies apart from those before it.
-fn apart(hole: &Hole, others: &[Hole], tolerance: f64) -> Result<(), ContourError> {
-    let reach = |other: &Hole| {
-        let radii = other.radius + hole.radius;
-        (distance(other.centre, hole.centre), radii)
-    };
-    let overlapping = others.iter().find(|other| {
-        let (distance, radii) = reach(other);
-        distance <= radii + tolerance
-    });
-    match overlapping {
-        Some(other) => {
-            let (distance, radii) = reach(other);
-            Err(ContourError::HolesOverlap {
-                first: other.name.clone(),
-                second: hole.name.clone(),
-                distance,
-                radii,
-            })
-        }
         None => Ok(()),
     }
 }

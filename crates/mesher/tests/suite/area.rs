@@ -6,7 +6,7 @@ use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 
 use crate::shapes::{
     acute, angle_plate, disk, eccentric, hole, lug, meshed, notched, pattern, rectangle, rounded,
-    row_of_five, strip,
+    row_of_five, slotted, strip,
 };
 
 fn cross(a: Point, b: Point) -> f64 {
@@ -62,6 +62,11 @@ fn areas_are_exact_to_a_millionth() {
         ("angle plate", angle_plate(), 7.0),
         ("acute", acute(), 8.0 * (PI / 9.0).sin()),
         ("notched", notched(), 8.0 - circle(0.5) / 2.0 - circle(0.4)),
+        (
+            "slotted",
+            slotted(),
+            32.0 - circle(0.5) * 2.0 - circle(0.375) - 1.125 - 2.25,
+        ),
         // 24 edges of 15°, each short of 2 φ⁵/30 with φ = 7.5°.
         ("disk", disk(), circle(1.0)),
     ];

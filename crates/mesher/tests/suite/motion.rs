@@ -14,7 +14,12 @@ fn mapped(
 ) -> Contour {
     let mut contour = contour.clone();
     contour.start = point(contour.start);
-    for piece in &mut contour.pieces {
+    let mut pieces: Vec<&mut Piece> = contour.pieces.iter_mut().collect();
+    for own in &mut contour.cutouts {
+        own.start = point(own.start);
+        pieces.extend(&mut own.pieces);
+    }
+    for piece in pieces {
         piece.to = point(piece.to);
         piece.through = piece.through.map(&point);
     }
@@ -30,19 +35,28 @@ fn mapped(
     contour
 }
 
+/// A loop walked the other way: its start and its pieces.
+fn turned_back(start: Point, pieces: &[Piece]) -> (Point, Vec<Piece>) {
+    let count = pieces.len();
+    let back = (0..count).rev().map(|k| Piece {
+        to: if k == 0 { start } else { pieces[k - 1].to },
+        ..pieces[k].clone()
+    });
+    (pieces[count - 1].to, back.collect())
+}
+
 /// The contour walked the other way.
 fn reversed(contour: &Contour) -> Contour {
-    let ends: Vec<Point> = contour.pieces.iter().map(|piece| piece.to).collect();
-    let count = ends.len();
-    let pieces = (0..count).rev().map(|k| Piece {
-        to: if k == 0 { contour.start } else { ends[k - 1] },
-        ..contour.pieces[k].clone()
-    });
-    Contour {
-        start: ends[count - 1],
-        pieces: pieces.collect(),
-        holes: contour.holes.clone(),
+    let (start, pieces) = turned_back(contour.start, &contour.pieces);
+    let mut own = Contour {
+        start,
+        pieces,
+        ..contour.clone()
+    };
+    for cutout in &mut own.cutouts {
+        (cutout.start, cutout.pieces) = turned_back(cutout.start, &cutout.pieces);
     }
+    own
 }
 
 #[test]

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use stickslip_fem_core::generate::{Generate, GenerateError};
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_mesher::{Contour, ContourError, ContourMesh, Division};
+use stickslip_mesher::{Contour, ContourError, ContourMesh, Cutout, Division};
 
-use crate::shapes::{arc, hole, line, polygon, rectangle, strip};
+use crate::shapes::{arc, cutout, hole, line, polygon, rectangle, slot, strip};
 
 fn refused(contour: &Contour) -> ContourError {
     contour.check().expect_err("a refusal")
@@ -36,7 +36,13 @@ fn numbers() {
     ));
     let mut contour = strip();
     contour.pieces.truncate(1);
-    assert_eq!(refused(&contour), ContourError::TooFewPieces { count: 1 });
+    assert_eq!(
+        refused(&contour),
+        ContourError::TooFewPieces {
+            cutout: None,
+            count: 1
+        }
+    );
 }
 
 #[test]
@@ -88,7 +94,13 @@ fn lengths_and_closure() {
 #[test]
 fn directions_and_crossings() {
     let clockwise = polygon(&[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]]);
-    assert_eq!(refused(&clockwise), ContourError::Clockwise { area: -1.0 });
+    assert_eq!(
+        refused(&clockwise),
+        ContourError::Clockwise {
+            cutout: None,
+            area: -1.0
+        }
+    );
     let bow = polygon(&[[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [2.0, -0.5], [0.0, 2.0]]);
     let ContourError::Crossing { first, second, at } = refused(&bow) else {
         panic!("a crossing");
@@ -102,6 +114,135 @@ fn directions_and_crossings() {
     // A corner that touches another side.
     let touching = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.0], [0.0, 2.0]]);
     assert!(matches!(refused(&touching), ContourError::Crossing { .. }));
+}
+
+/// The strip of 8 by 3 with a hole at (6, 1.5), and cut-outs.
+fn cut(cutouts: Vec<Cutout>) -> ContourError {
+    refused(&Contour { cutouts, ..strip() })
+}
+
+/// A rectangle between two corners.
+fn window(name: &str, [left, low]: [f64; 2], [right, high]: [f64; 2]) -> Cutout {
+    let corners = [[right, low], [right, high], [left, high], [left, low]];
+    let side = |(k, to): (usize, &[f64; 2])| line(&format!("{name} {k}"), *to);
+    cutout(
+        name,
+        [left, low],
+        corners.iter().enumerate().map(side).collect(),
+    )
+}
+
+#[test]
+fn cutouts_are_closed_loops_of_names() {
+    let good = window("a", [1.0, 1.0], [2.0, 2.0]);
+    let change = |how: &dyn Fn(&mut Cutout)| {
+        let mut own = good.clone();
+        how(&mut own);
+        cut(vec![own])
+    };
+    let of = || Some("a".to_owned());
+    let short = change(&|own| own.pieces.truncate(1));
+    assert_eq!(
+        short,
+        ContourError::TooFewPieces {
+            cutout: of(),
+            count: 1
+        }
+    );
+    let open = change(&|own| own.pieces[3].to = [1.0, 1.25]);
+    assert!(
+        matches!(&open, ContourError::Open { cutout: which, piece, gap: 0.25, .. } if *which == of() && piece == "a 3")
+    );
+    let clockwise = change(&|own| {
+        own.pieces.swap(0, 2);
+    });
+    assert_eq!(
+        clockwise,
+        ContourError::Clockwise {
+            cutout: of(),
+            area: -1.0
+        }
+    );
+    let bow = change(&|own| own.pieces.swap(0, 1));
+    assert!(matches!(bow, ContourError::Crossing { .. }), "{bow:?}");
+    let nowhere = change(&|own| own.start[1] = f64::NAN);
+    assert!(
+        matches!(nowhere, ContourError::NotFinite { what, .. } if what == "start of cut-out 'a'")
+    );
+    let twice = change(&|own| own.pieces[1].name = "left".into());
+    assert_eq!(
+        twice,
+        ContourError::DuplicateName {
+            name: "left".into()
+        }
+    );
+    let refined = Division {
+        refined: BTreeMap::from([(8, 2.0)]),
+        ..Division::default()
+    };
+    let contour = Contour {
+        cutouts: vec![good],
+        ..strip()
+    };
+    let mesh = ContourMesh {
+        contour,
+        division: refined,
+    };
+    assert!(matches!(
+        mesh.check(),
+        Err(ContourError::Refined {
+            piece: 8,
+            count: 8,
+            ..
+        })
+    ));
+}
+
+#[test]
+fn cutouts_lie_apart_in_the_body() {
+    let inner = window("inner", [1.25, 1.25], [1.75, 1.75]);
+    let outer = window("outer", [1.0, 1.0], [2.0, 2.0]);
+    assert_eq!(
+        cut(vec![inner.clone(), outer.clone()]),
+        ContourError::CutoutInside {
+            inner: "inner".into(),
+            outer: "outer".into()
+        }
+    );
+    assert_eq!(
+        cut(vec![window("a", [9.0, 1.0], [10.0, 2.0])]),
+        ContourError::CutoutOutside {
+            cutout: "a".into(),
+            at: [9.0, 1.0]
+        }
+    );
+    let around = window("a", [-1.0, -1.0], [9.0, 4.0]);
+    assert!(matches!(
+        cut(vec![around]),
+        ContourError::CutoutOutside { .. }
+    ));
+    let across = window("a", [7.0, 1.0], [9.0, 2.0]);
+    assert!(matches!(cut(vec![across]), ContourError::Crossing { first, .. } if first == "right"));
+    let beside = window("b", [1.5, 1.0], [2.5, 2.0]);
+    assert!(matches!(
+        cut(vec![outer, beside]),
+        ContourError::Crossing { .. }
+    ));
+    let on_the_hole = slot("slot", [5.0, 1.5], 1.0, 0.25);
+    assert!(matches!(
+        cut(vec![on_the_hole]),
+        ContourError::HoleCrosses { hole, .. } if hole == "hole"
+    ));
+    let around_the_hole = window("a", [5.0, 0.5], [7.0, 2.5]);
+    assert!(matches!(
+        cut(vec![around_the_hole]),
+        ContourError::HoleOutside { .. }
+    ));
+    let in_the_hole = window("a", [5.9, 1.4], [6.1, 1.6]);
+    assert!(matches!(
+        cut(vec![in_the_hole]),
+        ContourError::HoleCrosses { .. }
+    ));
 }
 
 #[test]
@@ -123,6 +264,7 @@ fn cusps() {
             arc("arc", [1.5, 0.25], [1.0, 1.0]),
             line("back", [0.0, 0.0]),
         ],
+        cutouts: Vec::new(),
         holes: Vec::new(),
     };
     assert!(tangent.check().is_ok());
@@ -137,6 +279,7 @@ fn cusps() {
             ),
             line("back", [0.0, 0.0]),
         ],
+        cutouts: Vec::new(),
         holes: Vec::new(),
     };
     assert!(matches!(refused(&folded), ContourError::Cusp { first, .. } if first == "line"));

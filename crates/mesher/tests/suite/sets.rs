@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, Mesh, Point};
 use stickslip_mesher::ContourMesh;
 
-use crate::shapes::{acute, all, disk, lug, meshed, of_kind};
+use crate::shapes::{acute, all, disk, lug, meshed, of_kind, slotted};
 
 fn boundary(mesh: &Mesh) -> Vec<EdgeRef> {
     let mut uses: BTreeMap<[usize; 2], Vec<EdgeRef>> = BTreeMap::new();
@@ -25,8 +25,11 @@ fn boundary(mesh: &Mesh) -> Vec<EdgeRef> {
 }
 
 fn names(mesh: &ContourMesh) -> Vec<&str> {
-    let pieces = mesh.contour.pieces.iter().map(|piece| piece.name.as_str());
-    let holes = mesh.contour.holes.iter().map(|hole| hole.name.as_str());
+    let contour = &mesh.contour;
+    let cut = contour.cutouts.iter().flat_map(|own| &own.pieces);
+    let pieces = contour.pieces.iter().chain(cut);
+    let pieces = pieces.map(|piece| piece.name.as_str());
+    let holes = contour.holes.iter().map(|hole| hole.name.as_str());
     let mut names: Vec<&str> = pieces.chain(holes).collect();
     names.sort_unstable();
     names.dedup();
@@ -104,4 +107,19 @@ fn neighbours_on_one_circle_share_a_set() {
     // A tenth of the width of 2 is the spacing: 15.7 of it on each half.
     assert_eq!(set.edges.len(), 32);
     assert!(matches!(set.curve, Some(Curve::Arc { radius, .. }) if (radius - 1.0).abs() < 1e-15));
+}
+
+/// A circle of arcs is one edge on one circle, and the body is on the left of a cut-out.
+#[test]
+fn cutouts_are_walked_with_the_body_on_the_left() {
+    let mesh = meshed(slotted(), ElementKind::T6);
+    let set = mesh.edge_set("round").expect("a set");
+    assert!(matches!(set.curve, Some(Curve::Arc { radius, .. }) if (radius - 0.5).abs() < 1e-12));
+    assert!(mesh.edge_path("round").expect("a path").closed);
+    for (set, direction) in [("slot below", [-1.0, 0.0]), ("slot above", [1.0, 0.0])] {
+        for &edge in &mesh.edge_set(set).expect("a set").edges {
+            let [from, to] = mesh.edge_nodes(edge).ends.map(|n| mesh.nodes()[n]);
+            assert!((to[0] - from[0]) * direction[0] > 0.0, "{set}");
+        }
+    }
 }

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use stickslip_fem_core::generate::Generate;
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
-use stickslip_mesher::{ContourMesh, Division, quality};
+use stickslip_mesher::{Contour, ContourMesh, Division, quality};
 
-use crate::shapes::{acute, all, angle_plate, hole, meshed, rectangle, strip};
+use crate::shapes::{acute, all, angle_plate, hole, meshed, rectangle, slot, strip};
 
 /// Least angle that the crate states for cells away from acute corners, in degrees.
 const LEAST: f64 = 25.0;
@@ -68,6 +68,29 @@ fn gaps_are_filled() {
         // Edges of 0.035 face each other across 0.02: cells between them are as flat as a right triangle of these sides.
         let bound = if gap < 0.035 { 20.0 } else { LEAST };
         assert!(least > bound, "{gap}: {least}");
+    }
+}
+
+/// A wall of a twentieth of the thickness beside a slot has cells across it as good as elsewhere.
+#[test]
+fn walls_beside_cutouts_are_filled() {
+    for wall in [0.05, 0.2, 1.0] {
+        let contour = Contour {
+            cutouts: vec![slot("slot", [3.0, 0.5 + wall], 1.0, 0.5)],
+            ..rectangle(6.0, 3.0, Vec::new())
+        };
+        let mesh = meshed(contour, ElementKind::T6);
+        let least = quality(&mesh).least_angle.to_degrees();
+        assert!(least > LEAST, "{wall}: {least}");
+        let near = |x: &f64| (x - 3.0).abs() < 0.5 && *x > 0.0;
+        let below = mesh.node_set("bottom").expect("a set").iter();
+        let below = below
+            .map(|&node| mesh.nodes()[node][0])
+            .filter(near)
+            .count();
+        // Corner and mid nodes of cells of a quarter of the wall, or a tenth of the width.
+        let expected = 2.0 / (wall / 4.0).min(0.3);
+        assert!(below as f64 > 0.5 * expected, "{wall}: {below} {expected}");
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use stickslip_fem_core::generate::{Extent, uniform_angles};
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
-use stickslip_mesher::{Contour, ContourMesh, Division, Hole, Piece};
+use stickslip_mesher::{Contour, ContourMesh, Cutout, Division, Hole, Piece};
 
 pub(crate) fn line(name: &str, to: Point) -> Piece {
     Piece {
@@ -32,6 +32,48 @@ pub(crate) fn hole(name: &str, centre: Point, radius: f64, count: usize) -> Hole
     }
 }
 
+pub(crate) fn cutout(name: &str, start: Point, pieces: Vec<Piece>) -> Cutout {
+    Cutout {
+        name: name.into(),
+        start,
+        pieces,
+    }
+}
+
+/// A slot along x with round ends, of half the length `half` between their centres; pieces are its name with a side.
+pub(crate) fn slot(name: &str, [x, y]: Point, half: f64, radius: f64) -> Cutout {
+    let side = |own: &str| format!("{name} {own}");
+    let pieces = vec![
+        line(&side("below"), [x + half, y - radius]),
+        arc(
+            &side("right"),
+            [x + half + radius, y],
+            [x + half, y + radius],
+        ),
+        line(&side("above"), [x - half, y + radius]),
+        arc(
+            &side("left"),
+            [x - half - radius, y],
+            [x - half, y - radius],
+        ),
+    ];
+    cutout(name, [x - half, y - radius], pieces)
+}
+
+/// A circle of `count` equal arcs of one name.
+pub(crate) fn circle(name: &str, [x, y]: Point, radius: f64, count: usize) -> Cutout {
+    let at = |turn: f64| {
+        let (sin, cos) = (2.0 * PI * turn / count as f64).sin_cos();
+        [x + radius * cos, y + radius * sin]
+    };
+    let pieces = (0..count).map(|k| {
+        let from = k as f64;
+        let to = if k + 1 == count { 0.0 } else { from + 1.0 };
+        arc(name, at(from + 0.5), at(to))
+    });
+    cutout(name, at(0.0), pieces.collect())
+}
+
 /// The rectangle from the origin to (width, height).
 pub(crate) fn rectangle(width: f64, height: f64, holes: Vec<Hole>) -> Contour {
     Contour {
@@ -42,6 +84,7 @@ pub(crate) fn rectangle(width: f64, height: f64, holes: Vec<Hole>) -> Contour {
             line("top", [0.0, height]),
             line("left", [0.0, 0.0]),
         ],
+        cutouts: Vec::new(),
         holes,
     }
 }
@@ -54,6 +97,7 @@ pub(crate) fn polygon(corners: &[Point]) -> Contour {
     Contour {
         start: corners[0],
         pieces: pieces.collect(),
+        cutouts: Vec::new(),
         holes: Vec::new(),
     }
 }
@@ -100,6 +144,7 @@ pub(crate) fn lug(count: usize) -> Contour {
             line("clamped", [-4.0, -1.0]),
             line("bottom", [0.0, -1.0]),
         ],
+        cutouts: Vec::new(),
         holes: vec![hole("hole", [0.0, 0.0], 0.5, count)],
     }
 }
@@ -120,6 +165,7 @@ pub(crate) fn rounded() -> Contour {
             line("left", [0.0, r]),
             arc("corner 4", [d, d], [r, 0.0]),
         ],
+        cutouts: Vec::new(),
         holes: vec![hole("hole", [5.0, 3.0], 1.0, 60)],
     }
 }
@@ -153,7 +199,23 @@ pub(crate) fn notched() -> Contour {
             line("top left", [0.0, 2.0]),
             line("left", [0.0, 0.0]),
         ],
+        cutouts: Vec::new(),
         holes: vec![hole("hole", [2.0, 0.75], 0.4, 48)],
+    }
+}
+
+/// A plate with a slot beside a hole, a window with sharp corners close to its edge, and a circle of two arcs.
+pub(crate) fn slotted() -> Contour {
+    let window = [[7.5, 0.5], [7.5, 2.0], [6.0, 2.0], [6.0, 0.5]];
+    let sides = window.iter().enumerate();
+    let sides = sides.map(|(k, to)| line(&format!("window {k}"), *to));
+    Contour {
+        cutouts: vec![
+            slot("slot", [2.5, 2.0], 0.75, 0.375),
+            cutout("window", window[3], sides.collect()),
+            circle("round", [6.5, 3.0], 0.5, 2),
+        ],
+        ..rectangle(8.0, 4.0, vec![hole("hole", [4.5, 2.0], 0.5, 48)])
     }
 }
 
@@ -165,6 +227,7 @@ pub(crate) fn disk() -> Contour {
             arc("rim", [0.0, 1.0], [-1.0, 0.0]),
             arc("rim", [0.0, -1.0], [1.0, 0.0]),
         ],
+        cutouts: Vec::new(),
         holes: Vec::new(),
     }
 }
@@ -180,6 +243,7 @@ pub(crate) fn all() -> Vec<(&'static str, Contour)> {
         ("rounded", rounded()),
         ("angle plate", angle_plate()),
         ("notched", notched()),
+        ("slotted", slotted()),
         ("disk", disk()),
     ]
 }

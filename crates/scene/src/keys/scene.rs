@@ -105,8 +105,9 @@ pub(super) const TABLES: &[Table] = &[
     ]),
     Table::new("edges", &[
         set("on", REQUIRED, r#""plate.left""#,
-            "an edge of an elastic body: a circle, reported over θ, or an edge along x, reported over x; not `left` or \
-            `right`, not the second edge of a contact; one that a half model lacks makes auto choose the whole"),
+            "an edge of an elastic body: a circle, reported over θ, an edge along x, reported over x, or any other open edge of \
+            outlines, rectangles and meshes whose curve is known, reported over the arc length s; not the second edge of a \
+            contact; one that a half model lacks makes auto choose the whole"),
     ]),
     Table::new("output", &[
         words("fields", r#"`"none"`, `"peak"`, `"last"`, `"all"`"#, r#"`"peak"`"#, r#""all""#,

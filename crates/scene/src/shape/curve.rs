@@ -81,11 +81,15 @@ impl Curve {
         }
     }
 
-    /// The lines and arcs of an open curve with the body on their left; `None` of a circle, and where they are not known.
+    /// The lines and arcs of an open curve with the body on their left; `None` of a closed one, and where they are not known.
     pub fn path(&self) -> Option<mesher::Path> {
         match self {
             Self::Circle { .. } => None,
-            Self::Chain { stretches, .. } => mesher::Path::new(stretches),
+            Self::Chain { stretches, .. } => {
+                let (first, last) = (stretches.first()?, stretches.last()?);
+                let is_open = first.ends[0] != last.ends[1];
+                is_open.then(|| mesher::Path::new(stretches)).flatten()
+            }
             Self::Segment { .. } | Self::Arc { .. } => mesher::Path::new(&[self.stretch()?]),
         }
     }
@@ -129,6 +133,60 @@ impl Curve {
             ends: [from, to],
             turn,
         })
+    }
+
+    /// The circle that a closed chain of arcs runs along, if it is one.
+    pub(super) fn as_circle(&self) -> Option<Self> {
+        // Arcs from three points know their circle to rounding over their sagitta only.
+        const SAME: f64 = 1e-6;
+        let Self::Chain { stretches, .. } = self else {
+            return None;
+        };
+        let arc = |own: &Stretch| Self::through(own.ends[0], own.through?, own.ends[1]);
+        let arcs: Option<Vec<Self>> = stretches.iter().map(arc).collect();
+        let arcs = arcs?;
+        let (Some(&Self::Arc { centre, radius, .. }), Some(first), Some(last)) =
+            (arcs.first(), stretches.first(), stretches.last())
+        else {
+            return None;
+        };
+        let apart = |a: Point, b: Point| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let same = |own: &Self| {
+            matches!(*own, Self::Arc { centre: other, radius: size, .. }
+                if apart(centre, other) + (size - radius).abs() <= SAME * radius)
+        };
+        let is_closed = apart(first.ends[0], last.ends[1]) <= SAME * radius;
+        (is_closed && arcs.iter().all(same)).then_some(Self::Circle { centre, radius })
+    }
+
+    /// The same curve walked the other way.
+    pub(super) fn reversed(&self) -> Self {
+        let back = |own: &Stretch| Stretch {
+            ends: [own.ends[1], own.ends[0]],
+            ..*own
+        };
+        match *self {
+            Self::Circle { .. } => self.clone(),
+            Self::Arc {
+                centre,
+                radius,
+                ends: [from, to],
+                turn,
+            } => Self::Arc {
+                centre,
+                radius,
+                ends: [to, from],
+                turn: -turn,
+            },
+            Self::Segment { ends: [from, to] } => Self::Segment { ends: [to, from] },
+            Self::Chain {
+                bounds,
+                ref stretches,
+            } => Self::Chain {
+                bounds,
+                stretches: stretches.iter().rev().map(back).collect(),
+            },
+        }
     }
 
     /// The same curve moved by `by` `[mm]`.

@@ -259,7 +259,7 @@ impl Edge {
     }
 
     /// Whether results can be written along the edge: along a circle, or over x with the normal +y or, on an arc above or below its
-    /// centre, ±e_r.
+    /// centre, ±e_r. Along other edges they stand over the arc length of [their curve](Curve::path).
     pub fn is_reportable(&self) -> bool {
         match self.curve {
             Curve::Circle { .. } => true,

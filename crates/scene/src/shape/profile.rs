@@ -1,4 +1,4 @@
-//! `outline`: a body between lines and arcs, with circular holes anywhere in it.
+//! `outline`: a body between lines and arcs, with cut-outs of the same and circular holes anywhere in it.
 //!
 //! ```text
 //!              top
@@ -10,20 +10,24 @@
 //!    start    bottom
 //! ```
 
+mod curves;
+mod defects;
+
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::generate::{Extent, uniform_angles, unit_vector};
 use stickslip_fem_core::mesh::{ElementKind, Point};
-use stickslip_mesher::{Contour, ContourError, ContourMesh, Hole, Piece};
+use stickslip_mesher::{Contour, ContourMesh, Cutout, Hole, Piece};
 
 use super::Shape;
 use super::curve::Curve;
 use super::hole::MESH_KEYS;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{
-    Key, NONE, POSITIVE, REQUIRED, Range, Table, length, number, numbers, tables_of, text, words,
+    Key, NONE, POSITIVE, REQUIRED, Range, Table, length, number, numbers, tables_of, text,
+    words,
 };
 use crate::document::child;
 use crate::units::{Length, Quantity};
@@ -34,25 +38,57 @@ const REFINED: Range = numbers(" 1 to 1000", "1 to 1000", |value| {
     (1.0..=1000.0).contains(&value)
 });
 
-pub(super) const MEANING: &str = "lines and arcs around a body, with circular holes anywhere in it; edges and holes as they are named";
+pub(super) const MEANING: &str = "lines and arcs around a body, with cut-outs and circular holes anywhere in it; edges and holes as they are named";
+
+const EDGE: [Key; 4] = [
+    text(
+        "name",
+        REQUIRED,
+        r#""end""#,
+        "name of the edge; neighbours with one name are one edge",
+    ),
+    words(
+        "to",
+        "two lengths",
+        "`start`, of the last edge",
+        r#"["40 mm", "20 mm"]"#,
+        "where it ends",
+    ),
+    words(
+        "through",
+        "two lengths",
+        "a straight edge",
+        r#"["60 mm", "0 mm"]"#,
+        "a point between its ends, which makes it an arc",
+    ),
+    number(
+        "refine",
+        "`1`",
+        "8.0",
+        "by how many times cells along it are smaller than the largest of the body",
+    )
+    .range(REFINED),
+];
 
 #[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
     words("start", "two lengths", REQUIRED, r#"["-60 mm", "-20 mm"]"#, "where the first edge begins"),
     words("edges", "list of tables", REQUIRED, r#"[{ name = "bottom", to = ["40 mm", "-20 mm"] }, { name = "end", to = ["40 mm", "20 mm"], through = ["60 mm", "0 mm"] }, { name = "top", to = ["-60 mm", "20 mm"] }, { name = "left" }]"#,
         "the [edges](#bodiesnameshapeoutlineedges), counter-clockwise, each from the end of the one before"),
+    tables_of("cutouts", NONE, "slots and windows by name"),
     tables_of("holes", NONE, "circular holes by name"),
 ];
 
 /// The tables inside.
 #[rustfmt::skip]
 pub(super) const TABLES: &[Table] = &[
-    Table::new("bodies.NAME.shape.outline.edges", &[
-        text("name", REQUIRED, r#""end""#, "name of the edge; neighbours with one name are one edge"),
-        words("to", "two lengths", "`start`, of the last edge", r#"["40 mm", "20 mm"]"#, "where it ends"),
-        words("through", "two lengths", "a straight edge", r#"["60 mm", "0 mm"]"#, "a point between its ends, which makes it an arc"),
-        number("refine", "`1`", "8.0", "by how many times cells along it are smaller than the largest of the body").range(REFINED),
+    Table::new("bodies.NAME.shape.outline.edges", &EDGE),
+    Table::new("bodies.NAME.shape.outline.cutouts.NAME", &[
+        words("start", "two lengths", REQUIRED, r#"["-50 mm", "-4 mm"]"#, "where its first edge begins"),
+        words("edges", "list of tables", REQUIRED, r#"[{ name = "slot-below", to = ["-30 mm", "-4 mm"] }, { name = "slot-right", to = ["-30 mm", "4 mm"], through = ["-26 mm", "0 mm"] }, { name = "slot-above", to = ["-50 mm", "4 mm"] }, { name = "slot-left", through = ["-54 mm", "0 mm"] }]"#,
+            "the [edges](#bodiesnameshapeoutlinecutoutsnameedges), counter-clockwise as those around the body"),
     ]),
+    Table::new("bodies.NAME.shape.outline.cutouts.NAME.edges", &EDGE),
     Table::new("bodies.NAME.shape.outline.holes.NAME", &[
         words("centre", "two lengths", REQUIRED, r#"["40 mm", "0 mm"]"#, "its centre"),
         length("radius", REQUIRED, r#""5 mm""#, "its radius").range(POSITIVE),
@@ -68,7 +104,16 @@ pub(crate) struct Keys {
     start: Place,
     edges: Vec<EdgeKeys>,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    cutouts: BTreeMap<String, CutoutKeys>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     holes: BTreeMap<String, HoleKeys>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct CutoutKeys {
+    start: Place,
+    edges: Vec<EdgeKeys>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -91,29 +136,16 @@ struct HoleKeys {
 }
 
 #[cfg(test)]
-pub(super) const EXAMPLE: &str = r#"outline = { start = ["-30 mm", "-10 mm"], edges = [{ name = "bottom", to = ["8 mm", "-10 mm"] }, { name = "end", to = ["8 mm", "10 mm"], through = ["18 mm", "0 mm"] }, { name = "top", to = ["-30 mm", "10 mm"] }, { name = "left" }], holes.bolt = { centre = ["7 mm", "1 mm"], radius = "5 mm" } }"#;
+pub(super) const EXAMPLE: &str = r#"outline = { start = ["-30 mm", "-10 mm"], edges = [{ name = "bottom", to = ["8 mm", "-10 mm"] }, { name = "end", to = ["8 mm", "10 mm"], through = ["18 mm", "0 mm"] }, { name = "top", to = ["-30 mm", "10 mm"] }, { name = "left" }], cutouts.slot = { start = ["-24 mm", "-3 mm"], edges = [{ name = "slot-below", to = ["-10 mm", "-3 mm"] }, { name = "slot-end", to = ["-10 mm", "3 mm"], through = ["-7 mm", "0 mm"] }, { name = "slot-above", to = ["-24 mm", "3 mm"] }, { name = "slot-start" }] }, holes.bolt = { centre = ["7 mm", "1 mm"], radius = "5 mm" } }"#;
 
 impl Keys {
     pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Profile {
         let Self {
             start,
             edges,
+            cutouts,
             holes,
         } = self;
-        let begin = place(start);
-        let inner = edges.len().saturating_sub(1);
-        for (index, edge) in edges[..inner].iter().enumerate() {
-            if edge.to.is_none() {
-                let message = format!("edge '{}' has no end", edge.name);
-                let remedy = "add to = [\"40 mm\", \"20 mm\"]; only the last edge may leave it out";
-                sizes.conflict(&child(table, format!("edges.{index}")), message, remedy);
-            }
-        }
-        let piece = |edge: &EdgeKeys| Piece {
-            name: edge.name.clone(),
-            to: edge.to.as_ref().map_or(begin, place),
-            through: edge.through.as_ref().map(place),
-        };
         let hole = |(name, hole): (&String, &HoleKeys)| Hole {
             name: name.clone(),
             centre: place(&hole.centre),
@@ -121,53 +153,73 @@ impl Keys {
             angles: uniform_angles(Extent::Whole, 12),
             layers: None,
         };
+        let cutout = |(name, own): (&String, &CutoutKeys)| Cutout {
+            name: name.clone(),
+            start: place(&own.start),
+            pieces: pieces(&own.start, &own.edges),
+        };
         let contour = Contour {
-            start: begin,
-            pieces: edges.iter().map(piece).collect(),
+            start: place(start),
+            pieces: pieces(start, edges),
+            cutouts: cutouts.iter().map(cutout).collect(),
             holes: holes.iter().map(hole).collect(),
         };
+        let cut = cutouts.values().flat_map(|own| &own.edges);
+        let all = edges.iter().chain(cut);
         let own = Profile {
             contour,
-            refine: edges
-                .iter()
-                .map(|edge| edge.refine.unwrap_or(1.0))
-                .collect(),
+            refine: all.map(|edge| edge.refine.unwrap_or(1.0)).collect(),
         };
+        let lists = cutouts.iter().map(|(name, own)| {
+            let table = child(&child(table, "cutouts"), name);
+            (table, &own.edges)
+        });
+        let lists = std::iter::once((table.to_owned(), edges)).chain(lists);
+        let mut is_whole = true;
+        for (table, edges) in lists {
+            is_whole &= have_ends(&table, edges, sizes);
+        }
         // A missing end has been reported, and what follows from it needs no second message.
-        if edges[..inner].iter().all(|edge| edge.to.is_some()) {
+        if is_whole {
             own.refuse_defects(table, sizes);
         }
         own
     }
 }
 
-/// The edges of an outline of named curves, of which neighbours with one name are one edge.
-fn joined(mut curves: Vec<(String, Curve)>) -> Vec<Edge> {
-    // An edge may go on beyond where the outline begins.
-    let count = curves.len();
-    let begins = |k: &usize| curves[*k].0 != curves[(*k + count - 1) % count].0;
-    let first = (0..count).find(begins).unwrap_or(0);
-    curves.rotate_left(first);
-    let runs = curves.chunk_by(|(one, _), (other, _)| one == other);
-    let edge = |run: &[(String, Curve)]| Edge {
-        name: Cow::Owned(run[0].0.clone()),
-        curve: Curve::joined(&run.iter().map(|(_, curve)| curve).collect::<Vec<_>>()),
-        role: Role::Free,
-        size: None,
+/// The pieces of a loop from `start` and back.
+fn pieces(start: &Place, edges: &[EdgeKeys]) -> Vec<Piece> {
+    let piece = |edge: &EdgeKeys| Piece {
+        name: edge.name.clone(),
+        to: place(edge.to.as_ref().unwrap_or(start)),
+        through: edge.through.as_ref().map(place),
     };
-    runs.map(edge).collect()
+    edges.iter().map(piece).collect()
+}
+
+/// Whether all edges of the loop in `table` but the last have an end; reports those that have none.
+fn have_ends(table: &str, edges: &[EdgeKeys], sizes: &mut dyn Sizes) -> bool {
+    let inner = &edges[..edges.len().saturating_sub(1)];
+    for (index, edge) in inner.iter().enumerate() {
+        if edge.to.is_none() {
+            let message = format!("edge '{}' has no end", edge.name);
+            let remedy = "add to = [\"40 mm\", \"20 mm\"]; only the last edge may leave it out";
+            sizes.conflict(&child(table, format!("edges.{index}")), message, remedy);
+        }
+    }
+    inner.iter().all(|edge| edge.to.is_some())
 }
 
 fn place(at: &Place) -> Point {
     [at[0].value(), at[1].value()]
 }
 
-/// Lines and arcs around a body, with circular holes.
+/// Lines and arcs around a body, with cut-outs and circular holes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// Its edges and holes; the angles of holes are those of a mesh.
+    /// Its edges, cut-outs and holes; the angles of holes are those of a mesh.
     pub contour: Contour,
-    /// By how many times cells along each piece of the outline are smaller than the largest.
+    /// By how many times cells along each piece of the outline, and then of the cut-outs, are smaller than the largest.
     pub refine: Vec<f64>,
 }
 
@@ -179,52 +231,6 @@ impl Profile {
         Self {
             contour: placed(&self.contour, turn),
             refine: self.refine.clone(),
-        }
-    }
-
-    /// Reports what does not bound a body, or bounds it by two edges of one name.
-    fn refuse_defects(&self, table: &str, sizes: &mut dyn Sizes) {
-        let names = self.edges().into_iter().map(|edge| edge.name);
-        let mut names: Vec<_> = names.collect();
-        names.sort_unstable();
-        let is_plain = |name: &str| {
-            let plain = |letter: char| letter.is_ascii_alphanumeric() || "_-".contains(letter);
-            !name.is_empty() && name.chars().all(plain)
-        };
-        if let Some(odd) = names.iter().find(|name| !is_plain(name)) {
-            let message = format!(
-                "the name '{odd}' of an edge or a hole is not made of letters a–z, digits, '_' and '-'"
-            );
-            let remedy = "give it another name, such as end or hole-1";
-            sizes.conflict(&child(table, "edges"), message, remedy);
-        } else if let Some([twice, ..]) = names.windows(2).find(|pair| pair[0] == pair[1]) {
-            let message = format!("two edges are called '{twice}'");
-            let remedy = "give each edge and each hole a name of its own";
-            sizes.conflict(&child(table, "edges"), message, remedy);
-        } else if let Err(defect) = self.contour.check() {
-            let key = child(table, self.key_of(&defect));
-            sizes.conflict(&key, defect.to_string(), remedy(&defect));
-        }
-    }
-
-    /// The key below the shape's table that a defect is shown at.
-    fn key_of(&self, defect: &ContourError) -> String {
-        let edge = |name: &str| {
-            let index = (self.contour.pieces.iter()).position(|piece| piece.name == name);
-            index.map_or("edges".to_owned(), |index| format!("edges.{index}"))
-        };
-        match defect {
-            ContourError::Open { piece, .. }
-            | ContourError::ZeroLength { piece, .. }
-            | ContourError::StraightArc { piece } => edge(piece),
-            ContourError::Crossing { second, .. } | ContourError::Cusp { second, .. } => {
-                edge(second)
-            }
-            ContourError::HoleOutside { hole, .. } | ContourError::HoleCrosses { hole, .. } => {
-                format!("holes.{hole}")
-            }
-            ContourError::HolesOverlap { second, .. } => format!("holes.{second}"),
-            _ => "edges".to_owned(),
         }
     }
 }
@@ -242,36 +248,21 @@ fn rounded(contour: &Contour) -> Contour {
 /// The same body with its points where `place` puts them.
 fn placed(contour: &Contour, place: impl Fn(Point) -> Point) -> Contour {
     let mut own = contour.clone();
-    own.start = place(own.start);
-    for piece in &mut own.pieces {
-        piece.to = place(piece.to);
-        piece.through = piece.through.map(&place);
+    let walk = |start: &mut Point, pieces: &mut [Piece]| {
+        *start = place(*start);
+        for piece in pieces {
+            piece.to = place(piece.to);
+            piece.through = piece.through.map(&place);
+        }
+    };
+    walk(&mut own.start, &mut own.pieces);
+    for cutout in &mut own.cutouts {
+        walk(&mut cutout.start, &mut cutout.pieces);
     }
     for hole in &mut own.holes {
         hole.centre = place(hole.centre);
     }
     own
-}
-
-/// What to do about a defect; its coordinates are in mm.
-fn remedy(defect: &ContourError) -> &'static str {
-    match defect {
-        ContourError::Open { .. } => {
-            "leave out `to` of the last edge, which then closes the outline; numbers are in mm"
-        }
-        ContourError::Clockwise { .. } => {
-            "list the edges counter-clockwise, with the body on their left"
-        }
-        ContourError::StraightArc { .. } => {
-            "give a point beside the line between its ends, or remove `through`"
-        }
-        ContourError::HoleOutside { .. }
-        | ContourError::HoleCrosses { .. }
-        | ContourError::HolesOverlap { .. } => {
-            "move the hole or give it a smaller radius; numbers are in mm"
-        }
-        _ => "change the edges; coordinates are in mm",
-    }
 }
 
 impl Outline for Profile {
@@ -289,21 +280,9 @@ impl Outline for Profile {
             role: Role::Hole,
             size: Some(format!("{NAME}.holes.{}.radius", hole.name).into()),
         };
-        let begins = std::iter::once(self.contour.start);
-        let begins = begins.chain(self.contour.pieces.iter().map(|piece| piece.to));
-        let curve = |(piece, from): (&Piece, Point)| {
-            let arc = |through| Curve::through(from, through, piece.to);
-            let line = Curve::Segment {
-                ends: [from, piece.to],
-            };
-            (
-                piece.name.clone(),
-                piece.through.and_then(arc).unwrap_or(line),
-            )
-        };
-        let pieces = self.contour.pieces.iter().zip(begins).map(curve);
         let mut edges: Vec<Edge> = self.contour.holes.iter().map(hole).collect();
-        edges.extend(joined(pieces.collect()));
+        edges.extend(curves::around(&self.contour));
+        edges.extend(self.contour.cutouts.iter().flat_map(curves::cut_out));
         edges
     }
 
@@ -382,8 +361,16 @@ impl Outline for Profile {
         } else {
             format!(", with the holes {}", holes.join(", "))
         };
+        let cutouts: Vec<String> = (self.contour.cutouts.iter())
+            .map(|own| format!("'{}' of {} edges", own.name, own.pieces.len()))
+            .collect();
+        let cutouts = if cutouts.is_empty() {
+            String::new()
+        } else {
+            format!(", with the cut-outs {}", cutouts.join(", "))
+        };
         format!(
-            "outline of {} edges, {} by {}{holes}",
+            "outline of {} edges, {} by {}{cutouts}{holes}",
             self.contour.pieces.len(),
             show(high[0] - low[0]),
             show(high[1] - low[1]),

@@ -3,6 +3,7 @@
 mod bearing;
 mod blocks;
 mod chains;
+mod cutouts;
 mod deformed;
 mod displacement;
 mod edges;

@@ -8,6 +8,7 @@ use crate::model::plan::{BodyPlan, Placed};
 use crate::model::{EdgeEnd, Meshes, ModelEdge, ModelError};
 use crate::results::{ContactFrame, EdgeGeometry, EdgeKind};
 use stickslip_scene::schema::SetRef;
+use stickslip_scene::shape::Path;
 
 /// The nodes of an edge by ascending parameter.
 pub(super) struct EdgeNodes {
@@ -23,6 +24,52 @@ pub(super) struct EdgeNodes {
     pub(super) order: usize,
     /// What lies at its ends, if it touches another open edge.
     pub(super) ends: [EdgeEnd; 2],
+}
+
+/// The nodes of an edge without contact of `body`, over the arc length where neither θ nor x says its places.
+pub(super) fn reported_nodes(
+    edge: &Placed<'_, SetRef>,
+    body: &BodyPlan<'_>,
+    meshes: &Meshes,
+    half: bool,
+) -> Result<EdgeNodes, ModelError> {
+    let own = edge.edge.as_ref().filter(|own| !own.is_reportable());
+    match own.and_then(|own| own.curve.path()) {
+        Some(path) => path_nodes(edge, &path.moved(body.centre), meshes),
+        None => edge_nodes(edge, meshes, half),
+    }
+}
+
+/// The nodes of an open edge along `path`, by their arc lengths from its middle.
+fn path_nodes(
+    edge: &Placed<'_, SetRef>,
+    path: &Path,
+    meshes: &Meshes,
+) -> Result<EdgeNodes, ModelError> {
+    let mesh_error = |cause| ModelError::Mesh {
+        body: edge.of.body.clone(),
+        cause,
+    };
+    let mesh = &meshes[&edge.body];
+    let walk = mesh.edge_path(&edge.of.set).map_err(mesh_error)?;
+    let curve = mesh.edge_set(&edge.of.set).map_err(mesh_error)?.curve;
+    let places = walk
+        .nodes
+        .iter()
+        .map(|&node| path.nearest(mesh.nodes()[node]));
+    let places: Vec<f64> = places.collect();
+    let middle = 0.5 * path.length();
+    Ok(EdgeNodes {
+        kind: EdgeKind::Path,
+        parameter: places.iter().map(|s| s - middle).collect(),
+        path: places.iter().map(|&s| (middle - s, path.left(s))).collect(),
+        centre: None,
+        weights: mesh.edge_weights(&walk, curve),
+        corner: (0..walk.nodes.len()).map(|k| k % walk.order == 0).collect(),
+        nodes: walk.nodes,
+        order: walk.order,
+        goes_on: [false; 2],
+    })
 }
 
 pub(super) fn edge_nodes(
