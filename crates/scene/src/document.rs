@@ -234,6 +234,16 @@ impl Document {
             })
     }
 
+    /// The value at a key that is not empty, to be changed.
+    pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Value> {
+        key.split('.')
+            .try_fold(&mut self.root, |value, segment| match value {
+                Value::Object(map) => map.get_mut(segment),
+                Value::Array(list) => list.get_mut(segment.parse::<usize>().ok()?),
+                _ => None,
+            })
+    }
+
     /// A problem at a key, or at the nearest table around it that was written somewhere.
     pub(crate) fn finding(&self, key: &str, part: Part, problem: SceneProblem) -> Finding {
         let mut written = key;

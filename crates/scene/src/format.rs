@@ -15,6 +15,7 @@ use serde_json::Value;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::schema::{Analysis, Axis, BodyModel, DisplayUnits, GapKind, Output, ProjectionChoice};
+use crate::pattern::PatternFormat;
 use crate::shape::ShapeFormat;
 use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
@@ -146,6 +147,7 @@ pub(super) struct BodyFormat {
     #[serde(default, skip_serializing_if = "BodyModel::is_auto")]
     pub(super) model: BodyModel,
     pub(super) mesh: Option<MeshFormat>,
+    pub(super) pattern: Option<PatternFormat>,
 }
 
 /// `[mesh]`, or what differs from it in `[bodies.NAME.mesh]`.

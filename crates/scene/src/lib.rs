@@ -48,6 +48,7 @@ pub mod limits;
 mod material;
 pub mod open;
 mod overrides;
+mod pattern;
 pub mod placement;
 mod point_model;
 pub mod read;

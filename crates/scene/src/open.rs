@@ -11,6 +11,7 @@ use crate::document::{Document, Format, Part};
 use crate::host::Host;
 use crate::limits::Content;
 use crate::overrides;
+use crate::pattern;
 use crate::read::Reader;
 
 /// Reads the text of a file of `host`. What it says of one that cannot be read comes from `problem`, by its path.
@@ -46,6 +47,35 @@ pub fn document(
     document.host = host;
     for argument in overrides {
         overrides::apply(&mut document, argument.as_ref())?;
+    }
+    document.check_texts()?;
+    Ok(document)
+}
+
+/// Reads the document of a scene, with its patterns written out. Overrides of what a pattern copies are applied before, others after.
+///
+/// # Errors
+/// As [`document`], and at a pattern that cannot be written out.
+pub(crate) fn scene(
+    source: SourceText,
+    format: Format,
+    overrides: &[impl AsRef<str>],
+    host: Host,
+) -> Result<Document, SceneError> {
+    let mut document = Document::parse(source, format)?;
+    document.host = host;
+    let mut later = Vec::new();
+    for argument in overrides.iter().map(AsRef::as_ref) {
+        let key = argument.split('=').next().unwrap_or_default();
+        if pattern::is_copied(&document, key.trim()) {
+            overrides::apply(&mut document, argument)?;
+        } else {
+            later.push(argument);
+        }
+    }
+    pattern::write_out(&mut document)?;
+    for argument in later {
+        overrides::apply(&mut document, argument)?;
     }
     document.check_texts()?;
     Ok(document)

@@ -161,6 +161,8 @@ impl Builder<'_> {
                 angle,
                 model,
                 mesh: _,
+                // Written out before the scene is read.
+                pattern: _,
             } = body;
             let material = material.as_ref().filter(|_| !rigid);
             let substance = self.substance(&table, material, thickness.as_ref(), materials);

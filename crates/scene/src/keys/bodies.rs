@@ -7,6 +7,7 @@ use crate::declaration::{
     Key, NONE, POSITIVE, REQUIRED, Range, Table, angle, angles, flag, integer, length, names,
     numbers, spacing, table, table_as, with_default, words,
 };
+use crate::pattern;
 
 /// `[mesh]`.
 #[rustfmt::skip]
@@ -52,6 +53,7 @@ pub(super) const TABLES: &[Table] = &[
             cylinder stands for, or by finite elements; auto takes series where the scene gives no mesh and they can hold the body; not of a \
             rigid one"),
         table("mesh", "that of the [scene](#mesh)", "how finely this body is divided; not of a rigid one"),
+        table("pattern", NONE, pattern::MEANING),
     ]).one_of(&[&["material"], &["rigid"]], r#"material = "…", rigid = true"#),
     Table::new("bodies.NAME.mesh", OWN_MESH).at_most_one_of(DIVISIONS, DIVISION_CHOICES),
     Table::new("mesh", &MESH).one_of(DIVISIONS, DIVISION_CHOICES),

@@ -56,7 +56,7 @@ impl Scene {
             name: name.to_owned(),
             text: text.to_owned(),
         };
-        let document = open::document(source, format, overrides, host)?;
+        let document = open::scene(source, format, overrides, host)?;
         check_version(&document)?;
         let spelled = open::keys(&document)?;
         build::build(document, spelled, base_dir)

@@ -26,10 +26,11 @@ use super::curve::Curve;
 use super::hole::MESH_KEYS;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{
-    Key, NONE, POSITIVE, REQUIRED, Range, Table, length, number, numbers, tables_of, text,
+    Key, NONE, POSITIVE, REQUIRED, Range, Table, length, number, numbers, table, tables_of, text,
     words,
 };
 use crate::document::child;
+use crate::pattern::{self, PatternFormat};
 use crate::units::{Length, Quantity};
 
 const NAME: &str = "outline";
@@ -87,11 +88,13 @@ pub(super) const TABLES: &[Table] = &[
         words("start", "two lengths", REQUIRED, r#"["-50 mm", "-4 mm"]"#, "where its first edge begins"),
         words("edges", "list of tables", REQUIRED, r#"[{ name = "slot-below", to = ["-30 mm", "-4 mm"] }, { name = "slot-right", to = ["-30 mm", "4 mm"], through = ["-26 mm", "0 mm"] }, { name = "slot-above", to = ["-50 mm", "4 mm"] }, { name = "slot-left", through = ["-54 mm", "0 mm"] }]"#,
             "the [edges](#bodiesnameshapeoutlinecutoutsnameedges), counter-clockwise as those around the body"),
+        table("pattern", NONE, pattern::MEANING),
     ]),
     Table::new("bodies.NAME.shape.outline.cutouts.NAME.edges", &EDGE),
     Table::new("bodies.NAME.shape.outline.holes.NAME", &[
         words("centre", "two lengths", REQUIRED, r#"["40 mm", "0 mm"]"#, "its centre"),
         length("radius", REQUIRED, r#""5 mm""#, "its radius").range(POSITIVE),
+        table("pattern", NONE, pattern::MEANING),
     ]),
 ];
 
@@ -114,6 +117,8 @@ pub(crate) struct Keys {
 struct CutoutKeys {
     start: Place,
     edges: Vec<EdgeKeys>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pattern: Option<PatternFormat>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -133,6 +138,8 @@ struct EdgeKeys {
 struct HoleKeys {
     centre: Place,
     radius: Quantity<Length>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pattern: Option<PatternFormat>,
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ mod layers;
 mod mortar;
 mod open;
 mod outline;
+mod patterns;
 mod remarks;
 mod series;
 mod several;

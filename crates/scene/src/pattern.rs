@@ -1,0 +1,165 @@
+//! Patterns: holes, cut-outs and bodies that a scene writes once and that stand in rows and columns.
+//!
+//! A table with a `pattern` is replaced by copies of it, `NAME_ROW_COLUMN` from 1, and what names it by copies that name these: entries of lists such as
+//! `contacts` and `supports`, and fasteners. The scene is then read as if it had been written out, with the keys of single copies changed by tables of
+//! their names. Columns follow each other along x, rows along y.
+
+mod copies;
+mod grid;
+mod names;
+mod places;
+#[cfg(test)]
+mod tests;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::declaration::{Key, Range, Table, counts, integer, words};
+use crate::diagnostic::SceneError;
+use crate::document::{Document, child};
+use crate::units::{Length, Quantity};
+
+use self::copies::replace;
+use self::grid::Grid;
+use self::names::{Names, expand_lists};
+use self::places::{move_edges, move_place};
+
+/// Most rows, and most columns.
+const MOST: usize = 1000;
+
+const COUNT: Range = counts(1, MOST as u32);
+
+pub(crate) const MEANING: &str = "rows and columns in which copies of it stand";
+
+const PATTERN: [Key; 3] = [
+    integer(
+        "rows",
+        "`1`",
+        "2",
+        "number of rows, which follow each other along y",
+    )
+    .range(COUNT),
+    integer(
+        "columns",
+        "`1`",
+        "5",
+        "number of columns, which follow each other along x",
+    )
+    .range(COUNT),
+    words(
+        "pitch",
+        "two lengths",
+        "required of holes and cut-outs",
+        r#"["24 mm", "20 mm"]"#,
+        "from one column to the next along x, and from one row to the next along y",
+    ),
+];
+
+pub(crate) const TABLES: &[Table] = &[
+    Table::new("bodies.NAME.pattern", &PATTERN),
+    Table::new("bodies.NAME.shape.outline.cutouts.NAME.pattern", &PATTERN),
+    Table::new("bodies.NAME.shape.outline.holes.NAME.pattern", &PATTERN),
+];
+
+/// `pattern = { … }`; nothing has it once the scene is written out.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PatternFormat {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rows: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    columns: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pitch: Option<[Quantity<Length>; 2]>,
+}
+
+/// Whether the override of `key` changes what a pattern copies, and so comes before the scene is written out.
+pub(crate) fn is_copied(document: &Document, key: &str) -> bool {
+    let ends = key.match_indices('.').map(|(at, _)| at).chain([key.len()]);
+    let mut tables = ends.map(|end| &key[..end]);
+    key.split('.').any(|name| name == "pattern")
+        || tables.any(|table| document.get(&child(table, "pattern")).is_some())
+}
+
+/// Writes out all patterns of a scene.
+///
+/// # Errors
+/// [`SceneError`] at a pattern that is no table of its keys, that has no rows, columns or pitch, or at an entry that names two patterns of different
+/// rows or columns.
+pub(crate) fn write_out(document: &mut Document) -> Result<(), SceneError> {
+    let mut names = Names::default();
+    for body in keys_of(document, "bodies") {
+        let shape = child(&child("bodies", &body), "shape.outline");
+        for (family, place) in [
+            ("holes", place_of_hole as fn(&mut Value, &Grid, Cell)),
+            ("cutouts", place_of_cutout),
+        ] {
+            let table = child(&shape, family);
+            for set in keys_of(document, &table) {
+                let key = child(&table, &set);
+                let Some(grid) = Grid::of(document, &key, true)? else {
+                    continue;
+                };
+                for own in sets_of(document.get(&key), &set) {
+                    names.add(child(&body, own), grid.clone());
+                }
+                replace(document, &table, &set, &grid, place);
+            }
+        }
+        let key = child("bodies", &body);
+        if let Some(grid) = Grid::of(document, &key, false)? {
+            replace(document, "bodies", &body, &grid, place_of_body);
+            names.add(body, grid);
+        }
+    }
+    if names.is_empty() {
+        return Ok(());
+    }
+    expand_lists(document, &names)
+}
+
+/// Row and column of a copy, from 0.
+type Cell = [usize; 2];
+
+/// The keys of the table `table`, if it is one.
+fn keys_of(document: &Document, table: &str) -> Vec<String> {
+    let table = document.get(table).and_then(Value::as_object);
+    table.map_or(Vec::new(), |table| table.keys().cloned().collect())
+}
+
+/// The names by which scenes call the edges of a hole or of a cut-out.
+fn sets_of(written: Option<&Value>, name: &str) -> Vec<String> {
+    let edges = written.and_then(|own| own.get("edges")?.as_array());
+    let Some(edges) = edges else {
+        return vec![name.to_owned()];
+    };
+    let names = edges.iter().filter_map(|edge| edge.get("name")?.as_str());
+    let mut names: Vec<String> = names.map(str::to_owned).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
+fn place_of_hole(own: &mut Value, grid: &Grid, cell: Cell) {
+    move_place(own.get_mut("centre"), &grid.steps(cell));
+}
+
+fn place_of_cutout(own: &mut Value, grid: &Grid, cell: Cell) {
+    let steps = grid.steps(cell);
+    move_place(own.get_mut("start"), &steps);
+    move_edges(own.get_mut("edges"), &steps, cell);
+}
+
+fn place_of_body(own: &mut Value, grid: &Grid, cell: Cell) {
+    let steps = grid.steps(cell);
+    if let (Value::Object(own), false) = (own, steps.is_empty()) {
+        let origin = || serde_json::json!(["0 mm", "0 mm"]);
+        let position = own.entry("position").or_insert_with(origin);
+        move_place(Some(position), &steps);
+    }
+}
+
+/// The name of a copy.
+fn named(name: &str, [row, column]: Cell) -> String {
+    format!("{name}_{}_{}", row + 1, column + 1)
+}

@@ -1,0 +1,76 @@
+//! Rows, columns and pitch of a pattern.
+
+use serde::Deserialize;
+
+use super::{Cell, MOST, PatternFormat};
+use crate::diagnostic::{SceneError, SceneProblem};
+use crate::document::{Document, Part, child};
+use crate::read::Reader;
+use crate::units::{Length, Quantity};
+
+/// How copies stand.
+#[derive(Clone, Debug)]
+pub(super) struct Grid {
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+    /// From one column to the next along x, and from one row to the next along y.
+    pitch: Option<[Quantity<Length>; 2]>,
+}
+
+impl Grid {
+    /// The pattern of the table `table`, if it has one, whose copies need places of their own if they are `placed`.
+    pub(super) fn of(
+        document: &Document,
+        table: &str,
+        placed: bool,
+    ) -> Result<Option<Self>, SceneError> {
+        let key = child(table, "pattern");
+        let Some(written) = document.get(&key) else {
+            return Ok(None);
+        };
+        let read = PatternFormat::deserialize(Reader::new(written, &key));
+        let PatternFormat {
+            rows,
+            columns,
+            pitch,
+        } = read.map_err(|error| {
+            let at = error.key.clone().unwrap_or_else(|| key.clone());
+            document.error(&at, error.part, *error.problem)
+        })?;
+        for (name, count) in [("rows", rows), ("columns", columns)] {
+            if let Some(count) = count.filter(|count| !(1..=MOST).contains(count)) {
+                let problem = SceneProblem::OutOfRange {
+                    key: name.to_owned(),
+                    value: count.to_string(),
+                    allowed: format!("1 to {MOST}"),
+                };
+                return Err(document.error(&child(&key, name), Part::Value, problem));
+            }
+        }
+        if placed && pitch.is_none() {
+            let problem = SceneProblem::MissingKey {
+                key: "pitch".to_owned(),
+                table: format!("[{key}]"),
+                example: r#"pitch = ["24 mm", "20 mm"]"#.to_owned(),
+            };
+            return Err(document.error(&key, Part::Key, problem));
+        }
+        Ok(Some(Self {
+            rows: rows.unwrap_or(1),
+            columns: columns.unwrap_or(1),
+            pitch,
+        }))
+    }
+
+    /// Its cells, row by row.
+    pub(super) fn cells(&self) -> impl Iterator<Item = Cell> + use<> {
+        let columns = self.columns;
+        (0..self.rows).flat_map(move |row| (0..columns).map(move |column| [row, column]))
+    }
+
+    /// Steps along x and y to a cell, each with the pitch; none without one.
+    pub(super) fn steps(&self, [row, column]: Cell) -> Vec<(usize, &Quantity<Length>)> {
+        let pitch = self.pitch.iter().flatten();
+        [column, row].into_iter().zip(pitch).collect()
+    }
+}

@@ -1,0 +1,204 @@
+//! Scenes with patterns beside the same scenes written out, and what is refused.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use crate::document::Format;
+use crate::scene::Scene;
+
+const HEAD: &str = r#"
+version = 1
+[materials.metal.isotropic]
+young = "70 GPa"
+poisson = 0.3
+[mesh]
+spacing = "6 deg"
+[bodies.plate]
+material = "metal"
+thickness = "3 mm"
+[bodies.plate.shape.outline]
+start = ["-40 mm", "-12 mm"]
+edges = [{ name = "bottom", to = ["114 mm", "-12 mm"] }, { name = "right", to = ["114 mm", "32 mm"] }, { name = "top", to = ["-40 mm", "32 mm"] }, { name = "left" }]
+[[loads]]
+name = "pull"
+on = "plate.left"
+force = { direction = [-1, 0], steps = ["2 kN"] }
+"#;
+
+const PATTERN: &str = r#"
+[bodies.plate.shape.outline.holes.hole]
+centre = ["0.1 mm", "0 mm"]
+radius = "3 mm"
+pattern = { rows = 2, columns = 3, pitch = ["24.2 mm", "20 mm"] }
+[bodies.bolt]
+material = "metal"
+thickness = "3 mm"
+shape.disk.radius = "2.985 mm"
+pattern = { rows = 2, columns = 3 }
+[bodies.bolt_2_1]
+shape.disk.radius = "2.99 mm"
+[[contacts]]
+name = "joint"
+first = "plate.hole"
+second = "bolt.rim"
+friction.coulomb = { mu = 0.2 }
+[[supports]]
+on = "bolt.section"
+fix = ["x", "y"]
+[[loads]]
+name = "aside"
+on = "bolt.section"
+force = { direction = [0, 1], steps = ["1 N"] }
+"#;
+
+fn written_out() -> String {
+    let mut text = HEAD.to_owned();
+    for row in 1..=2 {
+        for column in 1..=3 {
+            let x = ["0.1 mm", "24.3 mm", "48.5 mm"][column - 1];
+            let y = ["0 mm", "20 mm"][row - 1];
+            let radius = if [row, column] == [2, 1] {
+                "2.99"
+            } else {
+                "2.985"
+            };
+            let name = format!("{row}_{column}");
+            write!(
+                text,
+                r#"
+[bodies.plate.shape.outline.holes.hole_{name}]
+centre = ["{x}", "{y}"]
+radius = "3 mm"
+[bodies.bolt_{name}]
+material = "metal"
+thickness = "3 mm"
+shape.disk.radius = "{radius} mm"
+[[contacts]]
+name = "joint_{name}"
+first = "plate.hole_{name}"
+second = "bolt_{name}.rim"
+friction.coulomb = {{ mu = 0.2 }}
+[[supports]]
+on = "bolt_{name}.section"
+fix = ["x", "y"]
+[[loads]]
+name = "aside_{name}"
+on = "bolt_{name}.section"
+force = {{ direction = [0, 1], steps = ["1 N"] }}
+"#
+            )
+            .unwrap();
+        }
+    }
+    text
+}
+
+fn read(text: &str, overrides: &[&str]) -> Result<Scene, String> {
+    let scene = Scene::from_text(text, Format::Toml, "a.toml", Path::new(""), overrides);
+    scene.map_err(|error| error.to_string())
+}
+
+fn read_pattern(overrides: &[&str]) -> Scene {
+    read(&format!("{HEAD}{PATTERN}"), overrides).unwrap()
+}
+
+#[test]
+fn a_pattern_is_the_scene_written_out() {
+    let out = read(&written_out(), &[]).unwrap();
+    let own = read_pattern(&[]);
+    assert_eq!(own.resolved(), out.resolved());
+    assert_eq!(own.hash, out.hash);
+    assert_eq!(own.contacts.len(), 6);
+}
+
+#[test]
+fn overrides_change_all_copies_or_one() {
+    let radius = |scene: &Scene, pin: &str| scene.bodies[pin].shape.circle("rim").unwrap();
+    let scene = read_pattern(&["bodies.bolt.shape.disk.radius=2.97 mm"]);
+    assert_eq!(radius(&scene, "bolt_1_2"), 2.97);
+    assert_eq!(radius(&scene, "bolt_2_1"), 2.99);
+    let one = [
+        "bodies.bolt_1_2.shape.disk.radius=2.96 mm",
+        "contacts.4.friction.coulomb.mu=0.4",
+        "bodies.bolt.pattern.columns=4",
+        "bodies.plate.shape.outline.holes.hole.pattern.columns=4",
+    ];
+    let scene = read_pattern(&one);
+    assert_eq!(radius(&scene, "bolt_1_2"), 2.96);
+    assert_eq!(radius(&scene, "bolt_1_3"), 2.985);
+    assert_eq!(scene.contacts.len(), 8);
+    assert_eq!(scene.contacts[4].name, "joint_2_1");
+    let shown = format!("{:?}", scene.contacts[4].law);
+    assert!(shown.contains("0.4"), "{shown}");
+}
+
+#[test]
+fn slots_and_bodies_with_places_are_copied() {
+    let text = HEAD.to_owned()
+        + r#"
+[bodies.plate.shape.outline.cutouts.slot]
+start = ["-4 mm", "-2 mm"]
+edges = [{ name = "low", to = ["4 mm", "-2 mm"] }, { name = "end", to = ["4 mm", "2 mm"], through = ["6 mm", "0 mm"] }, { name = "high", to = ["-4 mm", "2 mm"] }, { name = "back" }]
+pattern = { columns = 2, pitch = ["30 mm", "0 mm"] }
+[bodies.stud]
+material = "metal"
+thickness = "3 mm"
+shape.rectangle = { width = "1 mm", height = "1 mm" }
+position = ["0 mm", "60 mm"]
+mesh.spacing = "1 mm"
+pattern = { columns = 2, pitch = ["30 mm", "0 mm"] }
+[[supports]]
+on = "plate.back"
+fix = ["x", "y"]
+[[supports]]
+on = "stud.top"
+fix = ["x", "y"]
+[[loads]]
+name = "push"
+on = "stud.bottom"
+pressure.steps = ["1 MPa"]
+"#;
+    let scene = read(&text, &["bodies.plate.mesh.spacing=6 deg"]);
+    let scene = scene
+        .or_else(|_| read(&text, &["mesh.spacing=4 mm"]))
+        .unwrap();
+    let edge = scene.bodies["plate"].shape.edge("end_1_2").unwrap();
+    assert!(edge.curve.path().unwrap().at(0.0)[0] > 33.0);
+    assert_eq!(scene.bodies["stud_1_2"].position, [30.0, 60.0]);
+    assert_eq!(scene.supports[1].on.to_string(), "plate.back_1_2");
+    assert_eq!(scene.loads.len(), 3);
+}
+
+#[test]
+fn patterns_that_do_not_fit_are_refused_where_they_stand() {
+    let text = format!("{HEAD}{PATTERN}");
+    for (from, to, part) in [
+        (
+            "rows = 2, columns = 3 }",
+            "rows = 3, columns = 2 }",
+            "'plate.hole' has 2 rows and 3 columns, and 'bolt.rim' 3 and 2",
+        ),
+        ("rows = 2, columns = 3 }", "rows = 0, columns = 3 }", "rows"),
+        (
+            "rows = 2, columns = 3 }",
+            "rows = 2, colums = 3 }",
+            "colums",
+        ),
+        (", pitch = [\"24.2 mm\", \"20 mm\"]", "", "pitch"),
+        (
+            "pitch = [\"24.2 mm\", \"20 mm\"]",
+            "pitch = [\"24.2\", \"20 mm\"]",
+            "has no unit",
+        ),
+        (
+            "pitch = [\"24.2 mm\", \"20 mm\"]",
+            "pitch = [\"4 mm\", \"20 mm\"]",
+            "overlap",
+        ),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let message = read(&text.replacen(from, to, 1), &[]).unwrap_err();
+        assert!(message.contains(part), "{to}: {message}");
+        assert!(message.starts_with("a.toml:"), "{message}");
+    }
+}
