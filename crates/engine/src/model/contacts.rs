@@ -140,7 +140,7 @@ impl Contacts {
             let facing = tied.facing(self.pairs.len(), sides, &points, (series, faced))?;
             self.facings.push(facing);
         }
-        let local = above.local.clone().collect();
+        let local = above.local.clone();
         let edge = upper.into_model_edge(first, body, half, Some(self.pairs.len()));
         let mut edge = loaded(plan, first, edge);
         edge.geometry.second = lower.map(|lower| SecondSide {
@@ -170,16 +170,24 @@ impl Contacts {
         lower: Option<&'e EdgeNodes>,
     ) -> [Side<'e>; 2] {
         let above = Side::new(&mut self.interfaces[first], &meshes[&first], upper);
-        self.ends[first].push(self.interfaces[first].len());
+        self.end(first);
         let below = match lower {
             Some(lower) => Side::new(&mut self.interfaces[second], &meshes[&second], lower),
             // A rigid body takes the places of the first edge's nodes for its own.
             None => Side::rigid(&mut self.rigid_points[second], &above, upper),
         };
         if lower.is_some() {
-            self.ends[second].push(self.interfaces[second].len());
+            self.end(second);
         }
         [above, below]
+    }
+
+    /// Ends an edge of the body with the index `body`, if it has brought nodes.
+    fn end(&mut self, body: usize) {
+        let count = self.interfaces[body].len();
+        if self.ends[body].last() != Some(&count) {
+            self.ends[body].push(count);
+        }
     }
 }
 

@@ -58,17 +58,30 @@ impl Builder<'_> {
         }
     }
 
-    /// An edge touches one other edge.
+    /// A circle, a cap or a surface touches one other edge, an open edge each other one once.
     fn edges_are_free(&mut self, key: &str, others: &[Contact], contact: &Contact) {
-        for (place, edge) in [("first", &contact.first), ("second", &contact.second)] {
-            let taken = others
-                .iter()
-                .find(|other| [&other.first, &other.second].contains(&edge));
-            if let Some(other) = taken {
+        let edges = [&contact.first, &contact.second];
+        let is_open = edges.map(|edge| {
+            let own = self.edge_of(edge);
+            own.is_some_and(|own| own.role == Role::Free && own.curve.path().is_some())
+        });
+        let has = |other: &Contact, edge: &SetRef| [&other.first, &other.second].contains(&edge);
+        for (place, (edge, is_open)) in ["first", "second"]
+            .iter()
+            .zip(edges.into_iter().zip(is_open))
+        {
+            let mut others = others.iter().filter(|_| !is_open);
+            if let Some(other) = others.find(|other| has(other, edge)) {
                 let message = format!("{edge} is in contact '{}' already", other.name);
-                let remedy = "an edge takes part in one contact; a bushing touches with its hole and its outer edge";
+                let remedy = "a circle takes part in one contact; a bushing touches with its hole and its outer edge";
                 self.conflict(&format!("{key}.{place}"), message, remedy);
             }
+        }
+        let mut same = others.iter().filter(|_| is_open == [true; 2]);
+        if let Some(same) = same.find(|other| edges.iter().all(|edge| has(other, edge))) {
+            let [one, other] = edges;
+            let message = format!("{one} and {other} are in contact '{}' already", same.name);
+            self.conflict(key, message, "remove one of the two contacts");
         }
     }
 

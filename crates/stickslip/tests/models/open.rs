@@ -322,3 +322,85 @@ fn a_second_edge_of_few_cells_is_reported() {
     assert!(!unresolved(&[&format!("{face}=12.0")]));
     assert!(unresolved(&[&format!("{face}=1.0")]));
 }
+
+/// Two noses of different loads on the face of one block, which has the names `left` and `right` for its halves.
+fn two_noses([left, right]: [&str; 2], is_block_first: bool) -> Results {
+    let block = format!(
+        r#"{{ name = "{right}", to = ["0 mm", "0 mm"], refine = 6 }}, {{ name = "{left}", to = ["-10 mm", "0 mm"], refine = 6 }}"#
+    );
+    let text = nose("").replace(
+        r#"{ name = "face", to = ["-10 mm", "0 mm"], refine = 6 }"#,
+        &block,
+    );
+    let start = text.find("[bodies.nose]").unwrap();
+    let (head, rest) = text.split_at(start);
+    let (own, tail) = rest.split_at(rest.find("[mesh]").unwrap());
+    let (mesh, tail) = tail.split_at(tail.find("[[contacts]]").unwrap());
+    let (contact, tail) = tail.split_at(tail.find("[[supports]]").unwrap());
+    let (support, nose) = tail.split_at(tail.find("[[platens]]").unwrap());
+    let placed = |name: &str, x: &str, force: &str| {
+        let at = format!("position = [\"{x} mm\", \"0 mm\"]\nshape.outline");
+        let own = own
+            .replace("shape.outline", &at)
+            .replace("bodies.nose", &format!("bodies.{name}"));
+        let nose = nose.replace("nose.", &format!("{name}."));
+        (own, nose.replace("1 kN", force))
+    };
+    let [(one, push), (other, press)] =
+        [placed("one", "-5", "0.6 kN"), placed("other", "5", "1 kN")];
+    let touching = |name: &str, edge: &str| {
+        let [first, second] = if is_block_first {
+            ["second", "first"]
+        } else {
+            ["first", "second"]
+        };
+        let own = contact.replace("first = ", &format!("name = \"{name}\"\nFIRST = "));
+        let own = own
+            .replace("second = ", &format!("{second} = "))
+            .replace("FIRST", first);
+        own.replace("nose.face", &format!("{name}.face"))
+            .replace("block.face", &format!("block.{edge}"))
+    };
+    let contacts = touching("one", left) + &touching("other", right);
+    solved(
+        &format!("{head}{one}{other}{mesh}{contacts}{support}{push}{press}"),
+        &[],
+    )
+}
+
+#[test]
+fn an_edge_touches_several_others_as_its_parts_would() {
+    for is_block_first in [false, true] {
+        let whole = two_noses(["face", "face"], is_block_first);
+        let split = two_noses(["left-face", "right-face"], is_block_first);
+        let sign = if is_block_first { -1.0 } else { 1.0 };
+        for step in 0..2 {
+            for (index, force) in [[600.0, 500.0], [1000.0, 500.0]].iter().enumerate() {
+                let [a, b] = [&whole, &split].map(|results| &results.steps[step].edges[index]);
+                close(a.resultant[1], sign * force[step], 1e-6);
+                close(a.peak_pressure.unwrap().0, b.peak_pressure.unwrap().0, 1e-9);
+                close(
+                    a.contact_half_extent.unwrap(),
+                    b.contact_half_extent.unwrap(),
+                    1e-9,
+                );
+            }
+        }
+    }
+    let twice = nose("").replace("[[supports]]", "[[contacts]]\nname = \"again\"\nfirst = \"block.face\"\nsecond = \"nose.face\"\nfriction.coulomb.mu = 0\n[[supports]]");
+    let refused = stickslip::scene::Scene::from_text(
+        &twice,
+        stickslip::scene::Format::Toml,
+        "twice.toml",
+        std::path::Path::new(""),
+        &[] as &[&str],
+    );
+    let message = refused
+        .err()
+        .map(|error| error.to_string())
+        .unwrap_or_default();
+    assert!(
+        message.contains("block.face and nose.face are in contact 'block' already"),
+        "{message}"
+    );
+}

@@ -50,7 +50,6 @@ impl Tied<'_> {
         }
         let edge = first.edge;
         let round = matches!(edge.kind, EdgeKind::Circle { .. });
-        let nodes = second.edge.nodes.len();
         // Displacements of series are means over hats, which are about other places than nodes where neighbours are unequally far.
         let means = (self.means.as_ref()).filter(|means| !are_equal(means, &second.edge.parameter));
         let place = |k: usize| match (edge.kind, means) {
@@ -69,7 +68,7 @@ impl Tied<'_> {
         };
         let curve = Curve::new(
             shape,
-            (0..nodes).map(|k| second.local.start + k).collect(),
+            second.local.clone(),
             angles,
             second.edge.order,
             if round && !self.half {

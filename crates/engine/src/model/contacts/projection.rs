@@ -9,8 +9,8 @@
 //! Cells between nodes miss that by the third power of their length, so the normal forces of a coarse mesh would turn a pin that
 //! friction alone holds. The couples are forces of the stencil's own nodes without resultant, perpendicular to their arms.
 
+use std::collections::HashMap;
 use std::f64::consts::TAU;
-use std::ops::Range;
 
 use stickslip_contact::mortar::{self, MortarError, Projected};
 use stickslip_contact::{
@@ -33,19 +33,25 @@ const SAME_PLACE: f64 = 1e-9;
 pub(super) struct Side<'a> {
     pub(super) edge: &'a EdgeNodes,
     /// Where its nodes stand among the body's contact points.
-    pub(super) local: Range<usize>,
+    pub(super) local: Vec<usize>,
     /// Positions of all contact points of the body so far `[mm]`.
     positions: Vec<Point>,
 }
 
 impl<'a> Side<'a> {
-    /// Adds the nodes of `edge` to the contact points `interface` of its body.
+    /// Adds the nodes of `edge` to the contact points `interface` of its body, but for those that stand there of another contact.
     pub(super) fn new(interface: &mut Vec<usize>, mesh: &Mesh, edge: &'a EdgeNodes) -> Self {
-        let start = interface.len();
-        interface.extend(&edge.nodes);
+        let known: HashMap<usize, usize> = interface.iter().copied().zip(0..).collect();
+        let mut place = |node: &usize| {
+            known.get(node).copied().unwrap_or_else(|| {
+                interface.push(*node);
+                interface.len() - 1
+            })
+        };
+        let local = edge.nodes.iter().map(&mut place).collect();
         Self {
             edge,
-            local: start..interface.len(),
+            local,
             positions: interface.iter().map(|&node| mesh.nodes()[node]).collect(),
         }
     }
@@ -53,17 +59,17 @@ impl<'a> Side<'a> {
     /// Adds the places of `other` to the contact points of a rigid body.
     pub(super) fn rigid(points: &mut Vec<Point>, other: &Self, edge: &'a EdgeNodes) -> Self {
         let start = points.len();
-        points.extend(&other.positions[other.local.clone()]);
+        points.extend(other.local.iter().map(|&own| other.positions[own]));
         Self {
             edge,
-            local: start..points.len(),
+            local: (start..points.len()).collect(),
             positions: points.clone(),
         }
     }
 
     /// Position of its node `k` `[mm]`.
     pub(super) fn position(&self, k: usize) -> Point {
-        self.positions[self.local.start + k]
+        self.positions[self.local[k]]
     }
 
     /// `stencil` with the moments about the circle's centre that a node on it has: none of a normal force, the radius of a tangential
@@ -108,7 +114,7 @@ impl<'a> Side<'a> {
     }
 
     fn projected(&self, closed: bool) -> Result<EdgeSide, MortarError> {
-        let (nodes, parameter) = (self.local.clone().collect(), self.edge.parameter.clone());
+        let (nodes, parameter) = (self.local.clone(), self.edge.parameter.clone());
         if closed {
             EdgeSide::closed(nodes, parameter, self.edge.order, TAU)
         } else {
@@ -259,8 +265,8 @@ impl Tied<'_> {
             let (above, below) = (first.position(k), second.position(k));
             let faceted = normal[0] * (above[0] - below[0]) + normal[1] * (above[1] - below[1]);
             ContactPoint {
-                first: (first.local.start + k).into(),
-                second: (second.local.start + k).into(),
+                first: first.local[k].into(),
+                second: second.local[k].into(),
                 normal,
                 gap: gap(k, at).unwrap_or(faceted),
                 area: weights[k] * self.thickness,
@@ -339,8 +345,8 @@ impl Tied<'_> {
         }
         let point = |(k, found): (usize, Option<ContactPoint>)| {
             found.unwrap_or_else(|| ContactPoint {
-                first: (first.local.start + k).into(),
-                second: second.local.start.into(),
+                first: first.local[k].into(),
+                second: second.local[0].into(),
                 normal: self.normal(edge, edge.parameter[k]),
                 gap: never,
                 area: edge.weights[k] * self.thickness,
