@@ -19,6 +19,7 @@ mod room;
 mod series;
 mod sets;
 mod singular;
+mod springs;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -17,6 +17,7 @@ mod error;
 mod partitioned;
 mod parts;
 mod regions;
+mod springs;
 mod tangent;
 mod whole;
 

@@ -72,4 +72,4 @@ pub use interface::{
     Block, BlockCompliance, GivenBody, GivenBodyError, InterfaceOperator, Misfit, RigidBody,
 };
 pub use points::QuadraturePoints;
-pub use support::{HeldDirection, Platen, SectionHold, Support};
+pub use support::{HeldDirection, Platen, SectionHold, Spring, SpringSite, Support};

@@ -1,4 +1,6 @@
-//! Supports: directions in which nodes are held, also skew to the axes, platens that carry an edge, and holds of a whole section.
+//! Supports: directions in which nodes are held, also skew to the axes, springs to the ground, platens that carry an edge, and holds of a whole section.
+
+use crate::mesh::EdgeRef;
 
 /// Direction in which a support holds its nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +33,26 @@ pub struct Support {
     pub direction: HeldDirection,
     /// Displacement in that direction `[length]`, scaled by the load case that drives the supports.
     pub displacement: f64,
+}
+
+/// Springs between nodes of a body and the ground, which is at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// Where they are.
+    pub site: SpringSite,
+    /// The direction in which they act; across it they give way.
+    pub direction: HeldDirection,
+    /// Force per displacement `[force/length]` at a node, per displacement and area `[stress/length]` on edges.
+    pub stiffness: f64,
+}
+
+/// Where springs are.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SpringSite {
+    /// Spread evenly over edges.
+    Edges(Vec<EdgeRef>),
+    /// At a node.
+    Node(usize),
 }
 
 /// A rigid plate glued to nodes, free to move along some axes and never turning.

@@ -10,7 +10,7 @@ use crate::edges::Origin;
 use crate::plan::Plan;
 use crate::ring::{Ring, cut};
 use crate::triangulate::Refinement;
-use crate::vector::{along, middle};
+use crate::vector::{along, distance, middle};
 use crate::{ContourError, Division};
 
 /// A boundary edge of the body.
@@ -62,10 +62,15 @@ pub(crate) fn assembled(
             .shared_curve(name)
             .map(|curve| moved(curve, division.centre));
     }
-    let node_sets = on_edges(&edge_sets, division.kind, &connectivity);
-    let nodes = corners.points.into_iter();
+    let mut node_sets = on_edges(&edge_sets, division.kind, &connectivity);
+    node_sets.extend(division.points.iter().map(|(name, &at)| {
+        let away = |node: &usize| distance(corners.points[*node], at);
+        let nearest = (0..nodes).min_by(|a, b| away(a).total_cmp(&away(b)));
+        (name.clone(), nearest.into_iter().collect())
+    }));
+    let places = corners.points.into_iter();
     Ok(Mesh::new(MeshParts {
-        nodes: nodes.map(|p| along(p, 1.0, division.centre)).collect(),
+        nodes: places.map(|p| along(p, 1.0, division.centre)).collect(),
         blocks: vec![ElementBlock {
             name: "body".into(),
             kind: division.kind,

@@ -16,6 +16,8 @@ pub struct Division {
     pub growth: f64,
     /// By how many times cells on pieces of the outline, counted from 0, and then of the cut-outs are smaller than the largest `[1]`.
     pub refined: BTreeMap<usize, f64>,
+    /// Places `[length]` where edges meet, whose nodes are sets by these names.
+    pub points: BTreeMap<String, Point>,
     /// Everything is moved by this `[length]`.
     pub centre: Point,
 }
@@ -28,6 +30,7 @@ impl Default for Division {
             spacing: None,
             growth: 0.25,
             refined: BTreeMap::new(),
+            points: BTreeMap::new(),
             centre: [0.0; 2],
         }
     }

@@ -227,6 +227,16 @@ pub enum ContourError {
         /// Number of pieces.
         count: usize,
     },
+    /// A point at which no piece ends.
+    #[error("no edge ends at point '{point}' ({}, {}); the nearest end is {distance} away", at[0], at[1])]
+    NoEnd {
+        /// Name of the point.
+        point: String,
+        /// Where it is `[length]`.
+        at: Point,
+        /// Distance of the nearest end of a piece `[length]`.
+        distance: f64,
+    },
     /// Cells that stayed large or flat.
     #[error(
         "refinement is incomplete: {cells} cells are too large or too flat, the worst with a least angle of {:.2}° near ({:.6}, {:.6}); \

@@ -34,6 +34,7 @@ impl Plan {
     pub(crate) fn new(contour: &Contour, division: &Division) -> Result<Self, ContourError> {
         let outline = checked(contour)?;
         check_division(division, &outline.names)?;
+        check_points(division, &outline)?;
         let rings: Vec<Ring> = (0..contour.holes.len())
             .map(|k| Ring::new(k, &contour.holes, &outline))
             .collect();
@@ -119,6 +120,26 @@ fn first_edge(outline: &Outline, k: usize, size: &mut Size) -> Option<f64> {
     ];
     size.add(&ends, distance(ends[0], ends[1]));
     Some(edge)
+}
+
+/// Points are ends of pieces, and nothing else has their names.
+fn check_points(division: &Division, outline: &Outline) -> Result<(), ContourError> {
+    for (name, &at) in &division.points {
+        if outline.names.contains(name) {
+            return Err(ContourError::DuplicateName { name: name.clone() });
+        }
+        let apart = outline.tracks.iter().map(|track| distance(track.from, at));
+        let nearest = apart.fold(f64::INFINITY, f64::min);
+        // Written so that NaN is refused too.
+        if !(nearest <= outline.tolerance) {
+            return Err(ContourError::NoEnd {
+                point: name.clone(),
+                at,
+                distance: nearest,
+            });
+        }
+    }
+    Ok(())
 }
 
 fn check_division(division: &Division, names: &[String]) -> Result<(), ContourError> {

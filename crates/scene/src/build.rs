@@ -28,7 +28,8 @@ use super::open::stem;
 use super::overrides::mistyped;
 use super::scene::Scene;
 use super::schema::{
-    Analysis, Body, Contact, Failure, KinematicsChoice, Load, Material, Platen, SetRef, Support,
+    Analysis, Body, Contact, Failure, KinematicsChoice, Load, Material, Platen, SetRef,
+    SpringSupport, Support,
 };
 use super::shape::ShapeFormat;
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
@@ -40,7 +41,6 @@ const LONGEST_NAME: usize = 64;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fits {
     Edges,
-    EdgesAndAreas,
     EdgesAndPoints,
 }
 
@@ -72,12 +72,13 @@ pub(super) fn build(
     builder.models(&format);
     let contacts = builder.contacts(&mut format, &materials);
     builder.stand_once(&contacts);
-    let supports = builder.supports(&format);
+    let (supports, springs) = builder.supports(&format);
     let platens = builder.platens(&format, &contacts);
     let beside = BesideSlices {
         materials: &materials,
         contacts: &contacts,
         supports: &supports,
+        springs: &springs,
         platens: &platens,
     };
     let fasteners = builder.fasteners(&format, &beside);
@@ -87,13 +88,17 @@ pub(super) fn build(
     let surroundings = Surroundings {
         contacts: &contacts,
         supports: &supports,
+        springs: &springs,
         platens: &platens,
         loads: &loads,
         numbers: &numbers,
     };
     let failure = builder.failure(&format, &materials, &surroundings);
     builder.loads_act(&surroundings);
-    builder.everything_is_held(&contacts, &fasteners, &supports, &platens);
+    let held = (supports.iter().map(|own| &own.on))
+        .chain(springs.iter().map(|own| &own.on))
+        .chain(platens.iter().map(|own| &own.on));
+    builder.everything_is_held(&contacts, &fasteners, &held.collect::<Vec<_>>());
     if !failure.as_ref().is_some_and(Failure::is_driven) {
         builder.something_happens(&contacts, &supports, &loads);
     }
@@ -133,6 +138,7 @@ pub(super) fn build(
         contacts,
         fasteners,
         supports,
+        springs,
         platens,
         loads,
         edges,
@@ -174,6 +180,7 @@ struct BesideSlices<'a> {
     materials: &'a Materials,
     contacts: &'a [Contact],
     supports: &'a [Support],
+    springs: &'a [SpringSupport],
     platens: &'a [Platen],
 }
 
@@ -181,6 +188,7 @@ struct BesideSlices<'a> {
 struct Surroundings<'a> {
     contacts: &'a [Contact],
     supports: &'a [Support],
+    springs: &'a [SpringSupport],
     platens: &'a [Platen],
     loads: &'a [Load],
     /// Their numbers in the scene.
@@ -281,7 +289,6 @@ impl Builder<'_> {
         }
         let (points, areas) = match fits {
             Fits::Edges => (Vec::new(), &[][..]),
-            Fits::EdgesAndAreas => (Vec::new(), body.shape.areas()),
             Fits::EdgesAndPoints => (body.shape.points(), body.shape.areas()),
         };
         let edges = body.shape.edges().into_iter().map(|edge| edge.name);
@@ -299,7 +306,6 @@ impl Builder<'_> {
             shape: body.shape.name(),
             what: match fits {
                 Fits::Edges => "edge",
-                Fits::EdgesAndAreas => "edge or area",
                 Fits::EdgesAndPoints => "edge, point or area",
             },
             set: set.to_owned(),

@@ -18,7 +18,8 @@ use super::schema::{Analysis, Axis, BodyModel, DisplayUnits, GapKind, Output, Pr
 use crate::pattern::PatternFormat;
 use crate::shape::ShapeFormat;
 use crate::units::{
-    Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
+    Angle, AngleOrLength, BedStiffness, Force, Length, PerTemperature, Quantity, SpringStiffness,
+    Stress, UnitName,
 };
 pub(super) use fasteners::{EndFormat, FastenerFormat, SpringsFormat};
 pub(super) use laminate::{
@@ -184,6 +185,10 @@ pub(super) struct SupportFormat {
     pub(super) fix: Option<Vec<Axis>>,
     pub(super) normal: Option<Quantity<Angle>>,
     pub(super) displacement: Option<Quantity<Length>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) stiffness: Option<Quantity<SpringStiffness>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) bed: Option<Quantity<BedStiffness>>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]

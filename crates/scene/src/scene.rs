@@ -11,7 +11,7 @@ use crate::host::Host;
 use crate::limits::Limits;
 use crate::schema::{
     Analysis, Body, Contact, DisplayUnits, Failure, Fastener, KinematicsChoice, Load, Material,
-    MeshSettings, Output, Platen, SetRef, Support,
+    MeshSettings, Output, Platen, SetRef, SpringSupport, Support,
 };
 
 /// Version of the scene format that this program reads.
@@ -44,6 +44,8 @@ pub struct Scene {
     pub fasteners: Vec<Fastener>,
     /// Nodes with given displacements.
     pub supports: Vec<Support>,
+    /// Springs between edges or points and the ground.
+    pub springs: Vec<SpringSupport>,
     /// Rigid plates glued to edges.
     pub platens: Vec<Platen>,
     /// Loads; all have [`steps`](Self::steps) steps.

@@ -361,6 +361,28 @@ pub struct Support {
     pub displacement: f64,
 }
 
+/// Springs between a set and the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpringSupport {
+    /// Its number among the supports of the scene.
+    pub index: usize,
+    /// Where.
+    pub on: SetRef,
+    /// In which directions they act.
+    pub hold: Hold,
+    /// How stiff they are in each of them.
+    pub stiffness: SpringSize,
+}
+
+/// How stiff springs are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SpringSize {
+    /// All together `[N/mm]`.
+    Whole(f64),
+    /// Per area `[N/mm³]`.
+    Bed(f64),
+}
+
 /// Directions in which a support holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Hold {

@@ -17,6 +17,8 @@
 //! | temperature       | K, degC, degF                  |
 //! | per temperature   | 1/K, 1/degC, 1/degF (or /K, …)  |
 //! | per length        | 1/mm, 1/cm, 1/m, 1/um, 1/in     |
+//! | spring stiffness  | N/mm, kN/mm, N/m, kN/m, lbf/in, kip/in |
+//! | bed stiffness     | N/mm3, MPa/mm, MPa/m, lbf/in3, psi/in |
 
 mod parse;
 mod quantity;
@@ -26,8 +28,8 @@ use std::fmt;
 
 pub use parse::{Expected, UnitError, parse, unit_of};
 pub use quantity::{
-    Angle, AngleOrLength, Force, FractureEnergy, Length, Measure, PerLength, PerTemperature,
-    Quantity, Stress, Temperature, UnitName,
+    Angle, AngleOrLength, BedStiffness, Force, FractureEnergy, Length, Measure, PerLength,
+    PerTemperature, Quantity, SpringStiffness, Stress, Temperature, UnitName,
 };
 pub(crate) use quantity::{QUANTITY_TAG, UNIT_TAG, dimensions_of_tag};
 
@@ -50,11 +52,15 @@ pub enum Dimension {
     FractureEnergy,
     /// Lines or fringes per length, base unit 1/mm.
     PerLength,
+    /// Force per displacement, base unit N/mm.
+    SpringStiffness,
+    /// Force per displacement and area, base unit N/mm³.
+    BedStiffness,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Length,
         Self::Force,
         Self::Stress,
@@ -63,6 +69,8 @@ impl Dimension {
         Self::PerTemperature,
         Self::FractureEnergy,
         Self::PerLength,
+        Self::SpringStiffness,
+        Self::BedStiffness,
     ];
 
     /// The dimension with its article: "a length".
@@ -76,6 +84,8 @@ impl Dimension {
             Self::PerTemperature => "a thermal expansion",
             Self::FractureEnergy => "a fracture energy",
             Self::PerLength => "a number per length",
+            Self::SpringStiffness => "a spring stiffness",
+            Self::BedStiffness => "a bed stiffness",
         }
     }
 
@@ -106,6 +116,8 @@ impl Dimension {
             Self::PerTemperature => "per temperature",
             Self::FractureEnergy => "fracture energy",
             Self::PerLength => "per length",
+            Self::SpringStiffness => "spring stiffness",
+            Self::BedStiffness => "bed stiffness",
         }
     }
 
@@ -156,7 +168,7 @@ impl Unit {
     /// # Errors
     /// [`UnitError::UnknownUnit`] if there is none, [`UnitError::WrongDimension`] if it measures something else.
     pub fn named(name: &str, dimension: Dimension) -> Result<&'static Self, UnitError> {
-        match UNITS.iter().find(|unit| unit.name == name) {
+        match unit_called(name, &[dimension]) {
             Some(unit) if unit.dimension == dimension => Ok(unit),
             Some(unit) => Err(UnitError::WrongDimension {
                 text: name.to_owned(),
@@ -172,6 +184,13 @@ impl Unit {
     }
 }
 
+/// The unit called `name`, of one of `dimensions` where several dimensions have it.
+fn unit_called(name: &str, dimensions: &[Dimension]) -> Option<&'static Unit> {
+    let named = || UNITS.iter().filter(|unit| unit.name == name);
+    let own = named().find(|unit| dimensions.contains(&unit.dimension));
+    own.or_else(|| named().next())
+}
+
 const POUND_FORCE: f64 = 4.448_221_615_260_5;
 const PSI: f64 = POUND_FORCE / (25.4 * 25.4);
 
@@ -184,7 +203,7 @@ const fn unit(name: &'static str, dimension: Dimension, in_base: f64) -> Unit {
 }
 
 /// Every unit that a scene may use. Within a dimension the first is the base unit.
-pub static UNITS: [Unit; 51] = [
+pub static UNITS: [Unit; 63] = [
     unit("mm", Dimension::Length, 1.0),
     unit("cm", Dimension::Length, 10.0),
     unit("m", Dimension::Length, 1000.0),
@@ -236,6 +255,18 @@ pub static UNITS: [Unit; 51] = [
     unit("1/µm", Dimension::PerLength, 1e3),
     unit("1/in", Dimension::PerLength, 1.0 / 25.4),
     unit("/in", Dimension::PerLength, 1.0 / 25.4),
+    unit("N/mm", Dimension::SpringStiffness, 1.0),
+    unit("kN/mm", Dimension::SpringStiffness, 1e3),
+    unit("N/m", Dimension::SpringStiffness, 1e-3),
+    unit("kN/m", Dimension::SpringStiffness, 1.0),
+    unit("lbf/in", Dimension::SpringStiffness, POUND_FORCE / 25.4),
+    unit("kip/in", Dimension::SpringStiffness, 1e3 * POUND_FORCE / 25.4),
+    unit("N/mm3", Dimension::BedStiffness, 1.0),
+    unit("N/mm³", Dimension::BedStiffness, 1.0),
+    unit("MPa/mm", Dimension::BedStiffness, 1.0),
+    unit("MPa/m", Dimension::BedStiffness, 1e-3),
+    unit("lbf/in3", Dimension::BedStiffness, PSI / 25.4),
+    unit("psi/in", Dimension::BedStiffness, PSI / 25.4),
 ];
 
 #[cfg(test)]

@@ -84,6 +84,9 @@ fn of_materials(plan: &Plan<'_>) -> Option<String> {
 }
 
 fn of_supports(plan: &Plan<'_>, across: usize) -> Option<String> {
+    if let Some(placed) = plan.springs.first() {
+        return Some(format!("springs on {} are modelled whole", placed.of.on));
+    }
     for placed in &plan.supports {
         let support = placed.of;
         let Hold::Axes(axes) = support.hold else {

@@ -98,6 +98,9 @@ fn freedom(plan: &Plan<'_>, index: usize, half: bool) -> Result<[bool; 2], Strin
             far.name
         ))
     };
+    if plan.is_sprung(index) {
+        return Err("stands on springs".into());
+    }
     let mut free = [true; 2];
     for support in plan.supports_of(index) {
         let Hold::Axes(axes) = support.hold else {

@@ -15,6 +15,7 @@ use super::bearing::unit_forces;
 use super::plan::{Placed, Plan};
 use super::polar_table::PolarField;
 use super::resultant::{centre_of, matched};
+use super::springs;
 use super::{Meshes, ModelBodyKind, ModelEdge, ModelError};
 use crate::results::{BearingSource, ContactFrame, EdgeKind};
 use stickslip_scene::schema::{self, Hold, Load, LoadKind, SetRef};
@@ -80,9 +81,12 @@ impl Loaded<'_> {
         };
         let blocks = vec![Arc::clone(self.material); self.mesh.blocks().len()];
         let supports = self.supports().map_err(mesh_error)?;
+        let springs = springs::of_body(self.plan, self.index, self.mesh, self.thickness);
+        let springs = springs.map_err(mesh_error)?;
         let mut body = ElasticBody::new(Arc::clone(self.mesh), blocks, self.thickness)
             .map_err(body_error)?
-            .with_supports(supports);
+            .with_supports(supports)
+            .with_springs(springs);
         if let Some(platen) = self.platen().map_err(mesh_error)? {
             body = body.with_platen(platen);
         }
@@ -197,6 +201,9 @@ impl Loaded<'_> {
         let edge = |on: &SetRef| self.mesh.edge_set(&on.set);
         Ok(match kind {
             LoadKind::Force { on, direction, .. } if self.is_area(on) => self.spread(*direction),
+            LoadKind::Force { on, direction, .. } if load.edge.is_none() => {
+                self.at_point(on, *direction)?
+            }
             LoadKind::Force { on, direction, .. } => {
                 self.force(edge(on)?, *direction, load.circle().is_some())
             }
@@ -223,6 +230,16 @@ impl Loaded<'_> {
         forces
             .flat_map(|area| direction.map(|component| component * area / whole))
             .collect()
+    }
+
+    /// A unit force along `direction` at a point.
+    fn at_point(&self, on: &SetRef, direction: [f64; 2]) -> Result<Vec<f64>, MeshError> {
+        let mut forces = vec![0.0; 2 * self.mesh.nodes().len()];
+        let share = if self.half { 0.5 } else { 1.0 };
+        for &node in self.mesh.node_set(&on.set)? {
+            forces[2 * node..2 * node + 2].copy_from_slice(&direction.map(|part| share * part));
+        }
+        Ok(forces)
     }
 
     /// A unit force along `direction`, spread evenly.

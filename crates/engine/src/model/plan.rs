@@ -8,7 +8,7 @@ use stickslip_fem_core::mesh::Point;
 use stickslip_friction::{History, Place};
 use stickslip_scene::schema::{
     self, Analysis, Contact, Division, Fastener, Hold, KinematicsChoice, Load, LoadKind,
-    MeshSettings, Platen, SetRef, Substance, Support,
+    MeshSettings, Platen, SetRef, SpringSupport, Substance, Support,
 };
 use stickslip_scene::shape::{Edge, Role, Shape};
 use stickslip_scene::{Scene, placement};
@@ -24,6 +24,7 @@ pub(super) struct Plan<'a> {
     pub(super) contacts: Vec<ContactPlan<'a>>,
     pub(super) fasteners: Vec<FastenerPlan<'a>>,
     pub(super) supports: Vec<Placed<'a, Support>>,
+    pub(super) springs: Vec<Placed<'a, SpringSupport>>,
     pub(super) platens: Vec<Placed<'a, Platen>>,
     pub(super) loads: Vec<Placed<'a, Load>>,
     /// Edges to report besides those in contact.
@@ -173,6 +174,9 @@ impl<'a> Plan<'a> {
             contacts: scene.contacts.iter().map(contact).collect(),
             fasteners: scene.fasteners.iter().map(fastener).collect(),
             supports: supports.map(|of| names.placed(&of.on, of)).collect(),
+            springs: (scene.springs.iter())
+                .map(|of| names.placed(&of.on, of))
+                .collect(),
             platens: platens.map(|of| names.placed(&of.on, of)).collect(),
             loads: scene.loads.iter().map(load).collect(),
             edges: scene.edges.iter().map(|on| names.placed(on, on)).collect(),
@@ -208,13 +212,21 @@ impl<'a> Plan<'a> {
         on(&self.platens, body)
     }
 
-    /// Unit vectors along which supports and platens hold the edge `on`.
+    /// Whether the body stands on springs.
+    pub(super) fn is_sprung(&self, body: usize) -> bool {
+        self.springs.iter().any(|own| own.body == body)
+    }
+
+    /// Unit vectors along which supports, springs and platens hold the edge `on`.
     pub(super) fn held_along(&self, on: &SetRef) -> Vec<[f64; 2]> {
         let supports = self.supports.iter().map(|support| support.of);
         let holds = supports.filter(|support| support.on == *on);
         let mut held: Vec<[f64; 2]> = holds
             .flat_map(|support| support.hold.directions())
             .collect();
+        let springs = self.springs.iter().map(|own| own.of);
+        let springs = springs.filter(|own| own.on == *on);
+        held.extend(springs.flat_map(|own| own.hold.directions()));
         if self.platens.iter().any(|platen| platen.of.on == *on) {
             held.extend([[1.0, 0.0], [0.0, 1.0]]);
         }

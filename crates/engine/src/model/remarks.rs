@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use stickslip_scene::schema::{Hold, Support};
+use stickslip_scene::schema::{Hold, Load, LoadKind, Support};
 
 use super::plan::{ContactPlan, Placed, Plan};
 use crate::results::{ContactFinding, Finding, Quantity};
@@ -30,6 +30,7 @@ pub(super) fn of_scene(plan: &Plan<'_>) -> Vec<Finding> {
         .chain(of_file)
         .chain(plan.contacts.iter().filter_map(|own| carried(plan, own)))
         .chain(held_at_points(plan))
+        .chain(loaded_at_points(plan))
         .collect()
 }
 
@@ -72,6 +73,19 @@ fn held_at_points(plan: &Plan<'_>) -> Option<Finding> {
         .map(|body| plan.bodies[body].name.to_owned())
         .collect();
     (!bodies.is_empty()).then_some(Finding::PointSupports { bodies })
+}
+
+/// Elastic bodies that a force acts on at a point.
+fn loaded_at_points(plan: &Plan<'_>) -> Option<Finding> {
+    let at_point = |load: &&Placed<'_, Load>| {
+        let body = &plan.bodies[load.body];
+        let is_point = matches!(&load.of.kind, LoadKind::Force { on, .. }
+            if load.edge.is_none() && !body.shape.is_area(&on.set));
+        is_point && body.elastic.is_some()
+    };
+    let loads = plan.loads.iter().filter(at_point);
+    let loads: Vec<String> = loads.map(|load| load.of.name.clone()).collect();
+    (!loads.is_empty()).then_some(Finding::PointLoads { loads })
 }
 
 /// Bodies of different thickness press on each other over the first one's.

@@ -5,6 +5,7 @@ use stickslip_fem_core::mesh::MeshError;
 use stickslip_scene::schema::{LoadKind, SetRef};
 
 use super::plan::Plan;
+use super::springs;
 use super::{ModelBody, ModelBodyKind, ModelError};
 use crate::results::{LoadedSet, SetKind};
 
@@ -28,6 +29,13 @@ pub enum Measure {
         force: f64,
         /// Nodes with the weights of their displacements along x and y, whose sum along the load is one.
         weights: Vec<(usize, [f64; 2])>,
+    },
+    /// Of springs: their force follows from the mean displacement.
+    Springs {
+        /// Nodes with the weights of their displacements along x and y, whose sum along the springs is one.
+        weights: Vec<(usize, [f64; 2])>,
+        /// Of all of them together `[N/mm]`.
+        stiffness: f64,
     },
     /// Of what holds it: the displacement is given.
     Held {
@@ -81,6 +89,11 @@ pub(super) fn all(
         let (on, displacement) = (&support.of.on, support.of.displacement);
         for direction in support.of.hold.directions() {
             sets.push(held(context, support.body, on, direction, displacement)?);
+        }
+    }
+    for placed in &plan.springs {
+        for direction in placed.of.hold.directions() {
+            sets.extend(springs::set(bodies, placed, direction)?);
         }
     }
     for platen in &plan.platens {

@@ -99,6 +99,11 @@ pub enum Finding {
         /// The bodies.
         bodies: Vec<String>,
     },
+    /// Forces act on single points, whose displacements and stresses have no limit.
+    PointLoads {
+        /// Names of the loads.
+        loads: Vec<String>,
+    },
     /// The largest stress along an edge is where a support ends, grows with every finer division and has no limit, so that no error is stated.
     NoLimitAtSupport {
         /// The edge.

@@ -153,10 +153,15 @@ fn pass(
             let displacements = body.displacements_of(&states);
             if audits || model.edges.iter().any(|edge| edge.is_held_on(index)) {
                 let residuals = body.residual_forces_of(&displacements, &states);
-                let balances = body.balances_of(&residuals, &states);
-                for ((step, balance), residual) in steps.iter_mut().zip(balances).zip(&residuals) {
+                let balances = body.balances_of(&residuals, &displacements, &states);
+                let found = residuals.iter().zip(&displacements);
+                for ((step, balance), (residual, u)) in steps.iter_mut().zip(balances).zip(found) {
                     step.balance[index] = audits.then_some(balance);
-                    step.add_reactions(model, index, residual);
+                    let mut reactions = residual.clone();
+                    let springs = body.body().spring_forces(u);
+                    let both = reactions.iter_mut().zip(springs);
+                    both.for_each(|(sum, force)| *sum += force);
+                    step.add_reactions(model, index, &reactions);
                 }
                 if audits && model.sets.iter().any(|own| own.set.body == index) {
                     let found = displacements.iter().zip(&residuals).zip(&states);

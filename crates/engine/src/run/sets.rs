@@ -31,16 +31,26 @@ impl Moved<'_> {
         }
     }
 
+    /// Weighted mean of displacements `[mm]`.
+    fn mean(&self, weights: &[(usize, [f64; 2])]) -> f64 {
+        let along = weights.iter().map(|&(node, weight)| {
+            let moved = (self.at)(node);
+            weight[0] * moved[0] + weight[1] * moved[1]
+        });
+        along.sum()
+    }
+
     fn motion(&self, record: &StepRecord, set: &ModelSet) -> SetMotion {
         match &set.measure {
-            Measure::Load { weights, .. } => {
-                let along = weights.iter().map(|&(node, weight)| {
-                    let moved = (self.at)(node);
-                    weight[0] * moved[0] + weight[1] * moved[1]
-                });
+            Measure::Load { weights, .. } => SetMotion {
+                force: force(set, record),
+                displacement: self.mean(weights),
+            },
+            Measure::Springs { weights, stiffness } => {
+                let displacement = self.mean(weights);
                 SetMotion {
-                    force: force(set, record),
-                    displacement: along.sum(),
+                    force: -stiffness * displacement,
+                    displacement,
                 }
             }
             Measure::Held {
@@ -70,7 +80,7 @@ fn force(set: &ModelSet, record: &StepRecord) -> f64 {
             let multiplier = record.state.multipliers.get(case);
             force * multiplier.copied().unwrap_or_default()
         }
-        Measure::Held { .. } => 0.0,
+        Measure::Held { .. } | Measure::Springs { .. } => 0.0,
     }
 }
 

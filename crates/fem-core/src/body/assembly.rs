@@ -5,6 +5,7 @@ use std::array;
 use super::constraints::NodeConstraint;
 use super::elastic::ElasticBody;
 use super::equations::{BodyStructure, HELD};
+use super::springs::SpringCell;
 use crate::element::{Element, KindVisitor, gather, stiffness, tangent_stiffness, with_element};
 use crate::linalg::LowerMatrix;
 use crate::material::PlaneStiffness;
@@ -66,6 +67,10 @@ fn assemble_blocks<'a>(
             assembled: &mut assembled,
         };
         with_element(block.kind, visit);
+    }
+    for SpringCell { nodes, mut matrix } in body.spring_cells() {
+        turn_to_node_axes(&mut matrix, &nodes, &structure.constraints);
+        scatter(&matrix, &nodes, structure, &mut assembled);
     }
     assembled
 }
@@ -186,13 +191,13 @@ fn scatter(local: &[f64], cell: &[usize], structure: &BodyStructure, assembled: 
     }
 }
 
-/// Nodal forces K u `[force]`, interleaved, that hold the body in the displacements `u` `[length]`; supports are ignored.
+/// Nodal forces K u `[force]`, interleaved, that hold the body in the displacements `u` `[length]`; supports and springs are ignored.
 pub fn internal_forces(body: &ElasticBody, u: &[f64]) -> Vec<f64> {
     internal_forces_of(body, &[u.to_vec()]).swap_remove(0)
 }
 
-/// Nodal forces K u `[force]`, interleaved, that hold the body in each of the displacements `u` `[length]`; supports are
-/// ignored. Each cell's matrix is computed once.
+/// Nodal forces K u `[force]`, interleaved, that hold the body in each of the displacements `u` `[length]`; supports and
+/// springs are ignored. Each cell's matrix is computed once.
 pub(super) fn internal_forces_of(body: &ElasticBody, u: &[Vec<f64>]) -> Vec<Vec<f64>> {
     struct Visit<'a> {
         body: &'a ElasticBody,

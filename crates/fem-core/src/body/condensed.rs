@@ -306,10 +306,15 @@ impl CondensedBody {
             .swap_remove(0)
     }
 
-    /// Unbalanced nodal forces `[force]` of the displacements `u` of each of `states`: K u − f − λ, interleaved; at supported
+    /// Unbalanced nodal forces `[force]` of the displacements `u` of each of `states`: (K + K_s) u − f − λ, interleaved, with K_s of springs; at supported
     /// nodes these are the reactions, elsewhere they vanish within rounding. One pass over the cells for all states.
     pub fn residual_forces_of(&self, u: &[Vec<f64>], states: &[BodyLoad<'_>]) -> Vec<Vec<f64>> {
         let mut residuals = super::assembly::internal_forces_of(&self.body, u);
+        for (residual, u) in residuals.iter_mut().zip(u) {
+            for (force, sum) in self.body.spring_forces(u).iter().zip(residual) {
+                *sum -= force;
+            }
+        }
         for (residual, state) in residuals.iter_mut().zip(states) {
             let strain = self.body.initial_strain(state.multipliers);
             if !strain.is_empty() {

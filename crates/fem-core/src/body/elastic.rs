@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::error::BodyError;
 use crate::material::{Material, PlaneStiffness};
 use crate::mesh::Mesh;
-use crate::support::{Platen, SectionHold, Support};
+use crate::support::{Platen, SectionHold, Spring, Support};
 
 /// One unit load on a body; a load history multiplies it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,13 +19,14 @@ pub struct LoadCase {
     pub moves_supports: bool,
 }
 
-/// A linear elastic body: mesh, one material per block, thickness, supports and unit loads, checked when it is built.
+/// A linear elastic body: mesh, one material per block, thickness, supports, springs and unit loads, checked when it is built.
 #[derive(Clone, Debug)]
 pub struct ElasticBody {
     pub(super) mesh: Arc<Mesh>,
     pub(super) materials: Vec<Arc<dyn Material>>,
     pub(super) thickness: f64,
     pub(super) supports: Vec<Support>,
+    pub(super) springs: Vec<Spring>,
     pub(super) platen: Option<Platen>,
     pub(super) section: Option<SectionHold>,
     pub(super) carried: Option<f64>,
@@ -57,6 +58,7 @@ impl ElasticBody {
             materials,
             thickness,
             supports: Vec::new(),
+            springs: Vec::new(),
             platen: None,
             section: None,
             carried: None,
@@ -68,6 +70,13 @@ impl ElasticBody {
     #[must_use]
     pub fn with_supports(mut self, supports: impl IntoIterator<Item = Support>) -> Self {
         self.supports.extend(supports);
+        self
+    }
+
+    /// Adds springs to the ground.
+    #[must_use]
+    pub fn with_springs(mut self, springs: impl IntoIterator<Item = Spring>) -> Self {
+        self.springs.extend(springs);
         self
     }
 

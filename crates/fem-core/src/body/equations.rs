@@ -9,9 +9,10 @@ use super::elastic::ElasticBody;
 use super::error::BodyError;
 use super::parts::check_parts;
 use super::regions::{RegionOrder, Regions};
+use super::springs;
 use crate::linalg::{LowerMatrix, SparseStructure, minimum_degree};
 use crate::mesh::{Mesh, Point};
-use crate::support::{Platen, Support};
+use crate::support::{Platen, Spring, Support};
 
 /// Number of an equation that does not exist because its unknown is held.
 pub(super) const HELD: u32 = u32::MAX;
@@ -23,6 +24,7 @@ pub(super) const HELD: u32 = u32::MAX;
 pub struct BodyStructure {
     mesh: Arc<Mesh>,
     supports: Vec<Support>,
+    springs: Vec<Spring>,
     platen: Option<Platen>,
     pub(super) constraints: Vec<NodeConstraint>,
     /// Equation of each node in each of its own axes.
@@ -69,6 +71,7 @@ impl BodyStructure {
         ends: &[usize],
     ) -> Result<Self, BodyError> {
         let mesh = &body.mesh;
+        springs::check(mesh, &body.springs)?;
         let mut constraints = node_constraints(mesh, &body.supports, body.platen.as_ref())?;
         let on_interface = flag_interface(mesh, interface)?;
         let motions = FreeMotions::of(body, &constraints)?.about(mesh, interface);
@@ -118,6 +121,7 @@ impl BodyStructure {
         Ok(Self {
             mesh: Arc::clone(mesh),
             supports: body.supports.clone(),
+            springs: body.springs.clone(),
             platen: body.platen.clone(),
             constraints,
             equations,
@@ -139,7 +143,10 @@ impl BodyStructure {
                 found: body.mesh.nodes().len(),
             });
         }
-        if self.supports != body.supports || self.platen != body.platen {
+        if self.supports != body.supports
+            || self.springs != body.springs
+            || self.platen != body.platen
+        {
             return Err(BodyError::OtherSupports);
         }
         Ok(())
@@ -240,7 +247,7 @@ pub(super) struct FreeMotions {
 }
 
 impl FreeMotions {
-    /// Null space of the supports on the candidate motions: all three, or the translations that a platen is free to make,
+    /// Null space of the supports and springs on the candidate motions: all three, or the translations that a platen is free to make,
     /// which supports elsewhere must not resist: the platen would then move by deforming the body.
     fn of(body: &ElasticBody, constraints: &[NodeConstraint]) -> Result<Self, BodyError> {
         let [low, high] = body.mesh.bounding_box();
@@ -263,6 +270,7 @@ impl FreeMotions {
             platen.nodes.iter().for_each(|&node| counts[node] = false);
         }
         let candidates = motions.count();
+        let sprung = body.sprung().filter(|&(node, _)| counts[node]);
         let mut gram = DMatrix::zeros(candidates, candidates);
         let mut holds = 0;
         for (node, constraint) in constraints
@@ -275,6 +283,11 @@ impl FreeMotions {
                 gram += row.transpose() * row;
                 holds += 1;
             }
+        }
+        for (node, direction) in sprung {
+            let row = motions.row(&body.mesh, node, direction);
+            gram += row.transpose() * row;
+            holds += 1;
         }
         if holds > 0 && candidates > 0 {
             let eigen = SymmetricEigen::new(gram);

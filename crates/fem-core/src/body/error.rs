@@ -44,6 +44,14 @@ pub enum BodyError {
         /// Index of the support.
         support: usize,
     },
+    /// Springs whose stiffness is not a positive number.
+    #[error("spring {spring}: its stiffness {stiffness} is not positive, or its direction is not a finite number")]
+    Spring {
+        /// Index of the spring.
+        spring: usize,
+        /// Its stiffness.
+        stiffness: f64,
+    },
     /// A platen is free along an axis in which supports elsewhere hold the body.
     #[error(
         "the platen is free in {free} translations, but supports leave the body only {left}: hold the platen there too"

@@ -104,8 +104,8 @@ fn balance_has_a_floor_in_the_most_loaded_state() {
     let states = [state(&lambda[..]), state(&little[..])];
     let displacements = condensed.displacements_of(&states);
     let residuals = condensed.residual_forces_of(&displacements, &states);
-    let alone = condensed.balances_of(&residuals[1..], &states[1..])[0];
-    let both = condensed.balances_of(&residuals, &states);
+    let alone = condensed.balances_of(&residuals[1..], &displacements[1..], &states[1..])[0];
+    let both = condensed.balances_of(&residuals, &displacements, &states);
     assert_eq!(both[1].reaction, alone.reaction);
     for (of_both, of_one) in [
         (both[1].force, alone.force),

@@ -149,7 +149,7 @@ fn the_turn_stays_free_and_moves_no_mean() {
         assert!((mean - given).abs() < 1e-12 * largest(&u), "{mean} {given}");
     }
     let residuals = condensed.residual_forces_of(std::slice::from_ref(&u), &[state]);
-    let balance = condensed.balances_of(&residuals, &[state])[0];
+    let balance = condensed.balances_of(&residuals, std::slice::from_ref(&u), &[state])[0];
     assert!(
         balance.nodal < 1e-10 && balance.force < 1e-12,
         "{balance:?}"
@@ -270,7 +270,7 @@ fn a_carried_section_moves_by_its_means() {
         assert!((at_points[2 * k + 1] - u[2 * node + 1]).abs() < 1e-10 * size);
     }
     let residuals = condensed.residual_forces_of(std::slice::from_ref(&u), &[state]);
-    let balance = condensed.balances_of(&residuals, &[state])[0];
+    let balance = condensed.balances_of(&residuals, std::slice::from_ref(&u), &[state])[0];
     assert!(
         balance.nodal < 1e-10 && balance.force < 1e-12 && balance.moment < 1e-12,
         "{balance:?}"

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, Mesh, Point};
-use stickslip_mesher::ContourMesh;
+use stickslip_mesher::{ContourError, ContourMesh};
 
 use crate::shapes::{acute, all, disk, lug, meshed, of_kind, slotted};
 
@@ -107,6 +107,27 @@ fn neighbours_on_one_circle_share_a_set() {
     // A tenth of the width of 2 is the spacing: 15.7 of it on each half.
     assert_eq!(set.edges.len(), 32);
     assert!(matches!(set.curve, Some(Curve::Arc { radius, .. }) if (radius - 1.0).abs() < 1e-15));
+}
+
+#[test]
+fn points_are_nodes_where_edges_end() {
+    let mut description = of_kind(slotted(), ElementKind::T6);
+    let points = [("corner", [8.0, 4.0]), ("tangent", [3.25, 1.625])];
+    let points = points.map(|(name, at)| (name.to_owned(), at));
+    description.division.points = BTreeMap::from(points.clone());
+    description.division.centre = [10.0, 0.0];
+    let mesh = description.mesh(1_000_000).expect("a mesh");
+    for (name, [x, y]) in points {
+        let [node] = mesh.node_set(&name).expect("a set") else {
+            panic!("one node of {name}");
+        };
+        let [own, level] = mesh.nodes()[*node];
+        assert!((own - 10.0 - x).hypot(level - y) < 1e-12, "{name}");
+    }
+    description.division.points = BTreeMap::from([("nowhere".to_owned(), [4.0, 0.0])]);
+    assert!(
+        matches!(description.check(), Err(ContourError::NoEnd { point, distance: 4.0, .. }) if point == "nowhere")
+    );
 }
 
 /// A circle of arcs is one edge on one circle, and the body is on the left of a cut-out.

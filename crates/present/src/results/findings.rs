@@ -80,6 +80,11 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             quoted(bodies),
             bodies.first().map_or("pin", String::as_str)
         ),
+        Finding::PointLoads { loads } => format!(
+            "Forces on a single point: {}. Displacement and stress there grow without limit with every finer mesh, and those that are shown are of this \
+             division. Put the force on an edge, or on the body's section.",
+            quoted(loads)
+        ),
         Finding::NoLimitAtSupport { edge, steps } => format!(
             "No error is stated for the peak tangential stress along {edge} in load step {}: it is where a support ends, grows without limit with every \
              finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section.",

@@ -131,6 +131,7 @@ impl Builder<'_> {
             return None;
         };
         let supports = beside.supports.iter().map(|support| &support.on);
+        let supports = supports.chain(beside.springs.iter().map(|own| &own.on));
         let mut holds = supports.chain(beside.platens.iter().map(|platen| &platen.on));
         if let Some(on) = holds.find(|on| on.body == body) {
             let message = format!("{on} is held, and what carries a slice are the other slices");

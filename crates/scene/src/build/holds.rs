@@ -8,7 +8,9 @@ use super::{Builder, Fits};
 use crate::diagnostic::SceneProblem;
 use crate::document::Part;
 use crate::format::{PlatenFormat, SceneFormat, SupportFormat};
-use crate::schema::{Axes, Axis, Contact, Fastener, Hold, Platen, SetRef, Support};
+use crate::schema::{
+    Axes, Axis, Contact, Fastener, Hold, Platen, SetRef, SpringSize, SpringSupport, Substance, Support,
+};
 use crate::units::{Angle, Quantity};
 
 fn axes(list: &[Axis]) -> Axes {
@@ -28,8 +30,8 @@ fn hold(fix: Option<&[Axis]>, normal: Option<&Quantity<Angle>>) -> Option<Hold> 
 }
 
 impl Builder<'_> {
-    pub(super) fn supports(&mut self, format: &SceneFormat) -> Vec<Support> {
-        let mut supports = Vec::new();
+    pub(super) fn supports(&mut self, format: &SceneFormat) -> (Vec<Support>, Vec<SpringSupport>) {
+        let (mut supports, mut springs) = (Vec::new(), Vec::new());
         for (index, given) in format.supports.iter().enumerate() {
             let key = format!("supports.{index}");
             let SupportFormat {
@@ -37,9 +39,23 @@ impl Builder<'_> {
                 fix,
                 normal,
                 displacement,
+                stiffness,
+                bed,
             } = given;
             let on = self.set(&format!("{key}.on"), on, Fits::EdgesAndPoints);
             let hold = hold(fix.as_deref(), normal.as_ref());
+            if stiffness.is_some() || bed.is_some() {
+                let size = self.springs(&key, given, on.as_ref());
+                if let (Some(on), Some(hold), Some(stiffness)) = (on, hold, size) {
+                    springs.push(SpringSupport {
+                        index,
+                        on,
+                        hold,
+                        stiffness,
+                    });
+                }
+                continue;
+            }
             let displacement = displacement.as_ref().map_or(0.0, Quantity::value);
             if displacement != 0.0 && matches!(hold, Some(Hold::Axes(Axes { x: true, y: true }))) {
                 let message = "one displacement is given, but two directions are fixed";
@@ -65,7 +81,44 @@ impl Builder<'_> {
                 });
             }
         }
-        supports
+        (supports, springs)
+    }
+
+    /// How stiff the springs of a support are; refuses what they do not have.
+    fn springs(&mut self, key: &str, given: &SupportFormat, on: Option<&SetRef>) -> Option<SpringSize> {
+        if given.displacement.is_some() {
+            let message = "springs lead to the ground, which is at rest, and a displacement is given";
+            let remedy = "remove the displacement, or the stiffness";
+            self.conflict(&format!("{key}.displacement"), message, remedy);
+        }
+        let size = match (&given.stiffness, &given.bed) {
+            (Some(stiffness), None) => SpringSize::Whole(stiffness.value()),
+            (None, Some(bed)) => SpringSize::Bed(bed.value()),
+            _ => {
+                let message = "the stiffness of the whole and that per area are both given";
+                self.conflict(key, message, "keep stiffness or bed");
+                return None;
+            }
+        };
+        let on = on?;
+        let body = self.bodies.get(&on.body)?;
+        if body.substance == Substance::Rigid {
+            let message = format!("{on} belongs to a rigid body, and springs carry elastic ones");
+            self.conflict(&format!("{key}.on"), message, "give the body a material");
+            return None;
+        }
+        let is_edge = body.shape.edge(&on.set).is_some();
+        if body.shape.is_area(&on.set) {
+            let message = format!("{on} is an area, and springs are on an edge or a point");
+            self.conflict(&format!("{key}.on"), message, "name an edge or a point");
+            return None;
+        }
+        if !is_edge && matches!(size, SpringSize::Bed(_)) {
+            let message = format!("{on} is a point, which has no area for a bed");
+            self.conflict(&format!("{key}.bed"), message, "give stiffness = \"500 N/mm\"");
+            return None;
+        }
+        Some(size)
     }
 
     /// Refuses a second displacement of an area along an axis.
@@ -125,13 +178,13 @@ impl Builder<'_> {
         platens
     }
 
-    /// Bodies that touch or are slices of one fastener, directly or through others, form a group; each group needs something that holds it.
+    /// Bodies that touch or are slices of one fastener, directly or through others, form a group; each group needs something that holds it, on
+    /// one of the sets `held`.
     pub(super) fn everything_is_held(
         &mut self,
         contacts: &[Contact],
         fasteners: &[Fastener],
-        supports: &[Support],
-        platens: &[Platen],
+        held: &[&SetRef],
     ) {
         let joined = self.document.get("fasteners").and_then(Value::as_object);
         if joined.map_or(0, serde_json::Map::len) != fasteners.len() {
@@ -142,24 +195,22 @@ impl Builder<'_> {
             .flat_map(|fastener| fastener.slices.windows(2));
         let slices = slices.map(|pair| [pair[0].as_str(), pair[1].as_str()]);
         let Some(Some(pairs)) = self.document.get("contacts").map(|list| list.as_array()) else {
-            return self.groups_are_held(slices, supports, platens);
+            return self.groups_are_held(slices, held);
         };
         // A contact or support that could not be read has been reported; what it holds is not known.
         let complete = pairs.len() == contacts.len()
-            && self.written("supports") == supports.len()
-            && self.written("platens") == platens.len();
+            && self.written("supports") + self.written("platens") == held.len();
         if complete {
             let touching = contacts.iter();
             let touching = touching.map(|own| [own.first.body.as_str(), own.second.body.as_str()]);
-            self.groups_are_held(touching.chain(slices), supports, platens);
+            self.groups_are_held(touching.chain(slices), held);
         }
     }
 
     fn groups_are_held<'b>(
         &mut self,
         pairs: impl IntoIterator<Item = [&'b str; 2]>,
-        supports: &[Support],
-        platens: &[Platen],
+        held: &[&SetRef],
     ) {
         let mut group: BTreeMap<String, usize> = self.bodies.keys().cloned().zip(0..).collect();
         // Every set has been looked up among the bodies, so its body has a group.
@@ -170,11 +221,7 @@ impl Builder<'_> {
                 .filter(|id| **id == other)
                 .for_each(|id| *id = own);
         }
-        let held = supports
-            .iter()
-            .map(|support| &support.on)
-            .chain(platens.iter().map(|platen| &platen.on));
-        let held: Vec<usize> = held.map(|on| group[&on.body]).collect();
+        let held: Vec<usize> = held.iter().map(|on| group[&on.body]).collect();
         let mut loose: BTreeMap<usize, Vec<String>> = BTreeMap::new();
         for (body, id) in group.into_iter().filter(|(_, id)| !held.contains(id)) {
             loose.entry(id).or_default().push(body);

@@ -86,7 +86,7 @@ impl Builder<'_> {
             });
         }
         let fits = match force {
-            Some(_) => Fits::EdgesAndAreas,
+            Some(_) => Fits::EdgesAndPoints,
             None => Fits::Edges,
         };
         let on = self.set(&child(key, "on"), on, fits)?;

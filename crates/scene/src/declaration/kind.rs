@@ -70,6 +70,8 @@ rows! {
     expansion = Kind::Quantity(&[Dimension::PerTemperature]);
     energy = Kind::Quantity(&[Dimension::FractureEnergy]);
     force = Kind::Quantity(&[Dimension::Force]);
+    spring_stiffness = Kind::Quantity(&[Dimension::SpringStiffness]);
+    bed_stiffness = Kind::Quantity(&[Dimension::BedStiffness]);
     angles = Kind::List(Dimension::Angle);
     lengths = Kind::List(Dimension::Length);
     forces = Kind::List(Dimension::Force);

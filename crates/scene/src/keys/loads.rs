@@ -23,7 +23,7 @@ const KINDS: &[&[&str]] = &[
 pub(super) const TABLES: &[Table] = &[
     Table::new("loads", &[
         text("name", "`load1`, `load2`, …", r#""pull""#, "name in the results"),
-        words("on", "`body.set`, or the body of a temperature", REQUIRED, r#""plate.left""#, "the edge that is loaded; a force also on an area, such as `pin.section`, over which it is spread evenly"),
+        words("on", "`body.set`, or the body of a temperature", REQUIRED, r#""plate.left""#, "the edge that is loaded; a force also on an area, such as `pin.section`, over which it is spread evenly, or on a point"),
         table("force", "one of the five", "a total force, spread evenly over an edge"),
         table("bearing", "one of the five", "a force on a hole without a pin, as pressure by an assumed law: cosine, uniform"),
         table("pressure", "one of the five", "a pressure on an edge"),

@@ -4,8 +4,8 @@ use stickslip_contact::solver::SOLVERS;
 
 use super::{coded, quoted};
 use crate::declaration::{
-    NONE, REQUIRED, Table, angle, counts, filled, flag, integer, length, lists, names, set, table,
-    tables_of, text, words,
+    NONE, POSITIVE, REQUIRED, Table, angle, bed_stiffness, counts, filled, flag, integer, length,
+    lists, names, set, spring_stiffness, table, tables_of, text, words,
 };
 
 #[rustfmt::skip]
@@ -97,6 +97,9 @@ pub(super) const TABLES: &[Table] = &[
         angle("normal", NONE, r#""30 deg""#, "one direction, from +x, along which the nodes are held; across it they slide"),
         length("displacement", "0", r#""0.01 mm""#,
             "displacement along that one axis or direction, reached at the end of the first load step and kept"),
+        spring_stiffness("stiffness", NONE, r#""500 N/mm""#,
+            "springs to the ground instead, along each axis or direction: of the whole edge, over which it is spread evenly, or of a point").range(POSITIVE),
+        bed_stiffness("bed", NONE, r#""20 MPa/mm""#, "the same of an edge, per area").range(POSITIVE),
     ]).one_of(&[&["fix"], &["normal"]], r#"fix = ["x", "y"], normal = "30 deg""#),
     Table::new("platens", &[
         set("on", REQUIRED, r#""plate.left""#, "the edge"),

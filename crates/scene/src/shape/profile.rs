@@ -39,7 +39,7 @@ const REFINED: Range = numbers(" 1 to 1000", "1 to 1000", |value| {
     (1.0..=1000.0).contains(&value)
 });
 
-pub(super) const MEANING: &str = "lines and arcs around a body, with cut-outs and circular holes anywhere in it; edges and holes as they are named";
+pub(super) const MEANING: &str = "lines and arcs around a body, with cut-outs and circular holes anywhere in it; edges, holes and points as they are named; areas `section`";
 
 const EDGE: [Key; 4] = [
     text(
@@ -78,6 +78,7 @@ pub(super) const ROWS: &[Key] = &[
         "the [edges](#bodiesnameshapeoutlineedges), counter-clockwise, each from the end of the one before"),
     tables_of("cutouts", NONE, "slots and windows by name"),
     tables_of("holes", NONE, "circular holes by name"),
+    words("points", "table of two lengths", NONE, r#"{ corner = ["40 mm", "20 mm"] }"#, "names of places where edges end, which forces, supports and springs act on"),
 ];
 
 /// The tables inside.
@@ -110,6 +111,8 @@ pub(crate) struct Keys {
     cutouts: BTreeMap<String, CutoutKeys>,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     holes: BTreeMap<String, HoleKeys>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    points: BTreeMap<String, Place>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -152,6 +155,7 @@ impl Keys {
             edges,
             cutouts,
             holes,
+            points,
         } = self;
         let hole = |(name, hole): (&String, &HoleKeys)| Hole {
             name: name.clone(),
@@ -176,6 +180,9 @@ impl Keys {
         let own = Profile {
             contour,
             refine: all.map(|edge| edge.refine.unwrap_or(1.0)).collect(),
+            points: (points.iter())
+                .map(|(name, at)| (name.clone(), place(at)))
+                .collect(),
         };
         let lists = cutouts.iter().map(|(name, own)| {
             let table = child(&child(table, "cutouts"), name);
@@ -228,28 +235,36 @@ pub struct Profile {
     pub contour: Contour,
     /// By how many times cells along each piece of the outline, and then of the cut-outs, are smaller than the largest.
     pub refine: Vec<f64>,
+    /// Named places where edges end.
+    pub points: BTreeMap<String, Point>,
 }
 
 impl Profile {
+    /// The same body with its points where `place` puts them.
+    fn mapped(&self, place: impl Fn(Point) -> Point) -> Self {
+        let points = self.points.iter();
+        Self {
+            contour: placed(&self.contour, &place),
+            refine: self.refine.clone(),
+            points: points.map(|(name, &at)| (name.clone(), place(at))).collect(),
+        }
+    }
+
     /// The same body turned by `angle` `[rad]` about the origin.
     pub(super) fn turned(&self, angle: f64) -> Self {
         let [cos, sin] = unit_vector(angle);
         let turn = |[x, y]: Point| [cos * x - sin * y, sin * x + cos * y];
-        Self {
-            contour: placed(&self.contour, turn),
-            refine: self.refine.clone(),
-        }
+        self.mapped(turn)
     }
 }
 
-/// The same body with coordinates rounded to a binary fraction of its size, by 3·10⁻¹⁴ of it at most, so that its triangles do not hang on the rounding
-/// of the coordinates that it has somewhere else.
-fn rounded(contour: &Contour) -> Contour {
+/// A binary fraction of the size of a body, to multiples of which coordinates are rounded, by 3·10⁻¹⁴ of the size at most, so that its triangles do not
+/// hang on the rounding of the coordinates that it has somewhere else.
+fn unit_of_size(contour: &Contour) -> f64 {
     const DIGITS: i32 = 44;
     let [low, high] = contour.bounds();
     let size = (high[0] - low[0]).max(high[1] - low[1]);
-    let unit = f64::exp2(size.log2().floor() - f64::from(DIGITS));
-    placed(contour, |at| at.map(|x| (x / unit).round() * unit))
+    f64::exp2(size.log2().floor() - f64::from(DIGITS))
 }
 
 /// The same body with its points where `place` puts them.
@@ -291,6 +306,15 @@ impl Outline for Profile {
         edges.extend(curves::around(&self.contour));
         edges.extend(self.contour.cutouts.iter().flat_map(curves::cut_out));
         edges
+    }
+
+    fn points(&self) -> Vec<(Cow<'static, str>, Point)> {
+        let points = self.points.iter();
+        points.map(|(name, &at)| (Cow::Owned(name.clone()), at)).collect()
+    }
+
+    fn areas(&self) -> &'static [&'static str] {
+        &["section"]
     }
 
     fn bounds(&self) -> [Point; 2] {
@@ -337,6 +361,9 @@ impl Outline for Profile {
             kind,
             spacing: divided.spacing,
             refined: self.refine.iter().copied().enumerate().collect(),
+            points: (self.points.iter())
+                .map(|(name, at)| (name.clone(), [at[0] - start[0], at[1] - start[1]]))
+                .collect(),
             centre: [0, 1].map(|axis| divided.centre[axis] + start[axis]),
             ..stickslip_mesher::Division::default()
         };
@@ -351,11 +378,9 @@ impl Outline for Profile {
     }
 
     fn moved(&self, by: Point) -> Option<Shape> {
-        let contour = placed(&self.contour, |at| [at[0] + by[0], at[1] + by[1]]);
-        Some(Shape::Profile(Self {
-            contour: rounded(&contour),
-            refine: self.refine.clone(),
-        }))
+        let moved = self.mapped(|at| [at[0] + by[0], at[1] + by[1]]);
+        let unit = unit_of_size(&moved.contour);
+        Some(Shape::Profile(moved.mapped(|at| at.map(|x| (x / unit).round() * unit))))
     }
 
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String {

@@ -5,7 +5,7 @@ use std::fmt;
 use miette::Diagnostic;
 use thiserror::Error;
 
-use super::{Dimension, UNITS, Unit};
+use super::{Dimension, UNITS, Unit, unit_called};
 
 /// The dimensions that fit in one place of a scene: one, or one of two.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -152,7 +152,7 @@ pub fn parse(text: &str, expected: &Expected) -> Result<(f64, Dimension), UnitEr
             expected: expected.clone(),
         });
     }
-    let Some(unit) = UNITS.iter().find(|unit| unit.name == name) else {
+    let Some(unit) = unit_called(name, expected.dimensions()) else {
         return Err(UnitError::UnknownUnit {
             text: text.to_owned(),
             unit: name.to_owned(),

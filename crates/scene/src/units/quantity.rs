@@ -65,6 +65,10 @@ measures! {
     FractureEnergy = "fracture energy": FractureEnergy;
     /// Lines or fringes per length.
     PerLength = "per length": PerLength;
+    /// Force per displacement.
+    SpringStiffness = "spring stiffness": SpringStiffness;
+    /// Force per displacement and area.
+    BedStiffness = "bed stiffness": BedStiffness;
     /// Spacings: angles on circles, else lengths.
     AngleOrLength = "angle|length": Angle, Length;
 }

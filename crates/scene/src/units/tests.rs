@@ -121,6 +121,12 @@ fn a_unit_of_several_meanings_is_named_by_its_parts() {
         refused("2 N", Dimension::FractureEnergy),
         "\"2 N\" has the unit of a force; a fracture energy is expected"
     );
+    assert_eq!(value("2 N/mm", Dimension::SpringStiffness), 2.0);
+    assert_eq!(value("2 N/mm", Dimension::FractureEnergy), 2.0);
+    assert_eq!(
+        refused("2 N/mm", Dimension::BedStiffness),
+        "\"2 N/mm\" has the unit of a force per length; a bed stiffness is expected"
+    );
 }
 
 #[test]

@@ -61,6 +61,9 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     {
         let _ = write!(text, " {support:?}");
     }
+    for springs in scene.springs.iter().filter(|own| own.on.body == name) {
+        let _ = write!(text, " {springs:?}");
+    }
     for platen in scene.platens.iter().filter(|platen| platen.on.body == name) {
         let _ = write!(text, " {platen:?}");
     }
@@ -83,8 +86,13 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
 /// What a model depends on beside friction laws and the sizes of loads; of the laws, whether they mirror.
 pub(super) fn model_key(scene: &Scene) -> String {
     let mut text = format!(
-        "{:?} {:?} {:?} {:?} {:?}",
-        scene.analysis, scene.supports, scene.platens, scene.edges, scene.fasteners
+        "{:?} {:?} {:?} {:?} {:?} {:?}",
+        scene.analysis,
+        scene.supports,
+        scene.springs,
+        scene.platens,
+        scene.edges,
+        scene.fasteners
     );
     // A law that does not mirror needs a whole model where another law needs half of it. Writing into a string does not fail.
     let _ = write!(text, "{:?}", obstacle_to_half(scene));

@@ -98,6 +98,9 @@ fn of_the_run() -> Vec<Finding> {
         Finding::PointSupports {
             bodies: vec!["pin".into()],
         },
+        Finding::PointLoads {
+            loads: vec!["push".into()],
+        },
         Finding::NoLimitAtSupport {
             edge: "plate.bottom".into(),
             steps: steps.clone(),

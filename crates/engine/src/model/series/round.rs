@@ -77,6 +77,9 @@ impl Given<'_> {
         if self.plan.platens_of(self.index).next().is_some() {
             return Err("has a platen".into());
         }
+        if self.plan.is_sprung(self.index) {
+            return Err("stands on springs".into());
+        }
         let mut loads = self.plan.loads.iter();
         let other = loads.find(|load| {
             load.body == self.index
@@ -147,7 +150,7 @@ impl Given<'_> {
                         }
                         own.force = *direction;
                     }
-                    _ => return Err(format!("has the load '{}' on its rim", load.of.name)),
+                    _ => return Err(format!("has the load '{}' elsewhere than on its section", load.of.name)),
                 }
             }
             loads.push(own);
@@ -176,15 +179,14 @@ impl Given<'_> {
             .collect();
         let mut loads = Vec::new();
         for load in &self.plan.loads {
-            let name = load
-                .edge
-                .as_ref()
-                .filter(|_| load.body == self.index)
-                .map(|edge| edge.name.as_ref());
-            let Some(name) = name else {
+            if load.body != self.index {
                 loads.push(Vec::new());
                 continue;
-            };
+            }
+            let name = load.edge.as_ref().map(|edge| edge.name.as_ref());
+            let name = name.ok_or_else(|| {
+                format!("has the load '{}' on its section or a point", load.of.name)
+            })?;
             let on = order.iter().position(|&edge| straight[edge].0 == name);
             let edge = on.ok_or_else(|| format!("has the load '{}' on its hole", load.of.name))?;
             let ends = straight[order[edge]].1;

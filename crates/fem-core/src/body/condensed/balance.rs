@@ -31,8 +31,14 @@ pub struct BodyBalance {
 
 impl CondensedBody {
     /// Balance of the whole body in each of `states`: reactions (the part of the residual at held nodes), loads and contact
-    /// forces, as resultants. `residuals` are those of [`Self::residual_forces_of`].
-    pub fn balances_of(&self, residuals: &[Vec<f64>], states: &[BodyLoad<'_>]) -> Vec<BodyBalance> {
+    /// forces, as resultants. `residuals` are those of [`Self::residual_forces_of`] in the displacements `u`; reactions are also the forces of
+    /// springs.
+    pub fn balances_of(
+        &self,
+        residuals: &[Vec<f64>],
+        u: &[Vec<f64>],
+        states: &[BodyLoad<'_>],
+    ) -> Vec<BodyBalance> {
         let scales = |of: &dyn Fn(&BodyLoad<'_>) -> f64| -> Vec<f64> {
             let own: Vec<f64> = states.iter().map(of).collect();
             let floor = FLOOR * own.iter().copied().fold(0.0, f64::max);
@@ -42,12 +48,12 @@ impl CondensedBody {
         let load = scales(&|state| self.load_scale(state.forces, state.multipliers));
         let [low, high] = self.body.mesh.bounding_box();
         let size = (high[0] - low[0]).hypot(high[1] - low[1]);
-        residuals
-            .iter()
+        let recovered = residuals.iter().zip(u);
+        recovered
             .zip(states)
             .enumerate()
-            .map(|(k, (residual, state))| {
-                let [reaction, rest] = self.resultants(residual, state);
+            .map(|(k, ((residual, u), state))| {
+                let [reaction, rest] = self.resultants(residual, u, state);
                 BodyBalance {
                     reaction: [reaction[0], reaction[1]],
                     reaction_moment: reaction[2],
@@ -60,7 +66,7 @@ impl CondensedBody {
     }
 
     /// Resultants of the reactions, and of these with all that is applied.
-    fn resultants(&self, residual: &[f64], state: &BodyLoad<'_>) -> [[f64; 3]; 2] {
+    fn resultants(&self, residual: &[f64], u: &[f64], state: &BodyLoad<'_>) -> [[f64; 3]; 2] {
         let nodes = self.body.mesh.nodes();
         let mut reactions = vec![0.0; residual.len()];
         for (node, constraint) in self.structure.constraints.iter().enumerate() {
@@ -75,8 +81,11 @@ impl CondensedBody {
             reactions[2 * node..2 * node + 2].copy_from_slice(&constraint.to_global(held));
         }
         let held = self.section_forces(state);
-        let both = reactions.iter_mut().zip(&held);
-        both.for_each(|(sum, force)| *sum += force);
+        let sprung = self.body.spring_forces(u);
+        for further in [held, sprung] {
+            let both = reactions.iter_mut().zip(&further);
+            both.for_each(|(sum, force)| *sum += force);
+        }
         let reaction = resultant(nodes, &reactions);
         let load = resultant(nodes, &self.applied_forces(state));
         [reaction, [0, 1, 2].map(|k| reaction[k] + load[k])]

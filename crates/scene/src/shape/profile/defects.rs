@@ -1,6 +1,6 @@
 //! What is wrong with an outline, at the key that causes it.
 
-use stickslip_mesher::{ContourError, Piece};
+use stickslip_mesher::{ContourError, ContourMesh, Division, Piece};
 
 use super::Profile;
 use crate::document::child;
@@ -11,7 +11,8 @@ impl Profile {
     /// Reports what does not bound a body, or bounds it by two edges of one name.
     pub(super) fn refuse_defects(&self, table: &str, sizes: &mut dyn Sizes) {
         let names = self.edges().into_iter().map(|edge| edge.name);
-        let mut names: Vec<_> = names.collect();
+        let points = self.points().into_iter().map(|(name, _)| name);
+        let mut names: Vec<_> = names.chain(points).collect();
         names.sort_unstable();
         let is_plain = |name: &str| {
             let plain = |letter: char| letter.is_ascii_alphanumeric() || "_-".contains(letter);
@@ -19,17 +20,32 @@ impl Profile {
         };
         if let Some(odd) = names.iter().find(|name| !is_plain(name)) {
             let message = format!(
-                "the name '{odd}' of an edge or a hole is not made of letters a–z, digits, '_' and '-'"
+                "the name '{odd}' of an edge, a hole or a point is not made of letters a–z, digits, '_' and '-'"
             );
             let remedy = "give it another name, such as end or hole-1";
             sizes.conflict(&child(table, "edges"), message, remedy);
         } else if let Some([twice, ..]) = names.windows(2).find(|pair| pair[0] == pair[1]) {
             let message = format!("two edges are called '{twice}'");
-            let remedy = "give each edge and each hole a name of its own";
+            let remedy = "give each edge, hole and point a name of its own";
             sizes.conflict(&child(table, "edges"), message, remedy);
         } else if let Err(defect) = self.contour.check() {
             let key = child(table, self.key_of(&defect));
             sizes.conflict(&key, defect.to_string(), remedy(&defect));
+        } else if let Err(defect) = self.pointed().check() {
+            let key = child(table, self.key_of(&defect));
+            sizes.conflict(&key, defect.to_string(), remedy(&defect));
+        }
+    }
+
+    /// The body with its points, to be checked.
+    fn pointed(&self) -> ContourMesh {
+        let division = Division {
+            points: self.points.clone(),
+            ..Division::default()
+        };
+        ContourMesh {
+            contour: self.contour.clone(),
+            division,
         }
     }
 
@@ -63,6 +79,7 @@ impl Profile {
                 format!("holes.{hole}")
             }
             ContourError::HolesOverlap { second, .. } => format!("holes.{second}"),
+            ContourError::NoEnd { point, .. } => format!("points.{point}"),
             _ => "edges".to_owned(),
         }
     }
@@ -79,6 +96,9 @@ fn remedy(defect: &ContourError) -> &'static str {
         }
         ContourError::StraightArc { .. } => {
             "give a point beside the line between its ends, or remove `through`"
+        }
+        ContourError::NoEnd { .. } => {
+            "end an edge there, or move the point to where one ends; numbers are in mm"
         }
         ContourError::CutoutOutside { .. } | ContourError::CutoutInside { .. } => {
             "move the cut-out, or remove it; coordinates are in mm"

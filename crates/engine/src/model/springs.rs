@@ -1,0 +1,110 @@
+//! Springs between edges or points of a body and the ground.
+
+use stickslip_fem_core::load::edge_load;
+use stickslip_fem_core::mesh::{Mesh, MeshError};
+use stickslip_fem_core::{HeldDirection, Spring, SpringSite};
+use stickslip_scene::schema::{Hold, SetRef, SpringSize, SpringSupport};
+
+use super::plan::{Placed, Plan};
+use super::sets::{Measure, ModelSet};
+use super::{ModelBody, ModelError};
+use crate::results::{LoadedSet, SetKind};
+
+/// The springs of the body with the index `index` and `thickness` `[mm]`.
+pub(super) fn of_body(
+    plan: &Plan<'_>,
+    index: usize,
+    mesh: &Mesh,
+    thickness: f64,
+) -> Result<Vec<Spring>, MeshError> {
+    let mut all = Vec::new();
+    let own = plan.springs.iter().filter(|own| own.body == index);
+    for SpringSupport {
+        on,
+        hold,
+        stiffness,
+        ..
+    } in own.map(|own| own.of)
+    {
+        let (site, area) = match mesh.edge_set(&on.set) {
+            Ok(set) => {
+                let area = area(mesh, on, thickness)?;
+                (SpringSite::Edges(set.edges.clone()), area)
+            }
+            Err(_) => (SpringSite::Node(node(mesh, on)?), 1.0),
+        };
+        let stiffness = match *stiffness {
+            SpringSize::Whole(stiffness) => stiffness / area,
+            SpringSize::Bed(bed) => bed,
+        };
+        let directions = match *hold {
+            Hold::Direction(angle) => vec![HeldDirection::Angle(angle)],
+            Hold::Axes(axes) => [(axes.x, HeldDirection::X), (axes.y, HeldDirection::Y)]
+                .into_iter()
+                .filter_map(|(is_held, direction)| is_held.then_some(direction))
+                .collect(),
+        };
+        all.extend(directions.into_iter().map(|direction| Spring {
+            site: site.clone(),
+            direction,
+            stiffness,
+        }));
+    }
+    Ok(all)
+}
+
+/// The set on the springs `placed` along `direction`, whose force follows from its mean displacement.
+pub(super) fn set(
+    bodies: &[ModelBody],
+    placed: &Placed<'_, SpringSupport>,
+    direction: [f64; 2],
+) -> Result<Option<ModelSet>, ModelError> {
+    let SpringSupport { on, stiffness, .. } = placed.of;
+    let body = &bodies[placed.body];
+    let Some(elastic) = body.elastic() else {
+        return Ok(None);
+    };
+    let mesh_error = |cause| ModelError::Mesh {
+        body: body.name.clone(),
+        cause,
+    };
+    let (mesh, thickness) = (elastic.mesh(), elastic.thickness());
+    let (weights, area) = match mesh.edge_set(&on.set) {
+        Ok(set) => {
+            let area = area(mesh, on, thickness).map_err(mesh_error)?;
+            let parts = edge_load(mesh, &set.edges, thickness, |_| direction);
+            let parts = parts.chunks_exact(2).enumerate();
+            let own = parts.filter(|(_, part)| *part != [0.0; 2]);
+            let own = own.map(|(node, part)| (node, [part[0] / area, part[1] / area]));
+            (own.collect(), area)
+        }
+        Err(_) => (vec![(node(mesh, on).map_err(mesh_error)?, direction)], 1.0),
+    };
+    let stiffness = match *stiffness {
+        SpringSize::Whole(stiffness) => stiffness,
+        SpringSize::Bed(bed) => bed * area,
+    };
+    Ok(Some(ModelSet {
+        set: LoadedSet {
+            name: on.to_string(),
+            body: placed.body,
+            on: on.to_string(),
+            kind: SetKind::Held { direction },
+        },
+        measure: Measure::Springs { weights, stiffness },
+    }))
+}
+
+/// Area of an edge `[mm²]`.
+fn area(mesh: &Mesh, on: &SetRef, thickness: f64) -> Result<f64, MeshError> {
+    let edges = &mesh.edge_set(&on.set)?.edges;
+    Ok(edge_load(mesh, edges, thickness, |_| [1.0, 0.0]).iter().sum())
+}
+
+/// The node of a point.
+fn node(mesh: &Mesh, on: &SetRef) -> Result<usize, MeshError> {
+    let nodes = mesh.node_set(&on.set)?;
+    nodes.first().copied().ok_or_else(|| MeshError::EmptySet {
+        set: on.set.clone(),
+    })
+}
