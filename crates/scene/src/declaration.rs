@@ -10,8 +10,8 @@ use crate::document::child;
 pub use self::kind::Kind;
 pub(crate) use self::kind::{
     angle, angles, bed_stiffness, energy, expansion, flag, force, forces, integer, length, lengths,
-    lists, names, number, set, spacing, spring_stiffness, stress, stresses, table, table_as, tables_of, temperature, temperatures,
-    text, words,
+    lists, names, number, set, spacing, spring_stiffness, stress, stresses, table, table_as,
+    tables_of, temperature, temperatures, text, words,
 };
 pub(crate) use self::range::{POSITIVE, Range, counts, filled, numbers};
 

@@ -15,8 +15,8 @@ use serde_json::Value;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::schema::{Analysis, Axis, BodyModel, DisplayUnits, GapKind, Output, ProjectionChoice};
-use crate::pattern::PatternFormat;
 use crate::shape::ShapeFormat;
+use crate::shape::pattern::PatternFormat;
 use crate::units::{
     Angle, AngleOrLength, BedStiffness, Force, Length, PerTemperature, Quantity, SpringStiffness,
     Stress, UnitName,

@@ -24,7 +24,6 @@ mod scene;
 mod tests;
 
 use crate::declaration::{Key, Table};
-use crate::pattern;
 use crate::shape;
 
 pub use self::document::document;
@@ -35,7 +34,6 @@ pub fn tables() -> impl Iterator<Item = Table> {
     let others = [fasteners::TABLES, loads::TABLES, failure::TABLES];
     let own = own.into_iter().flatten().copied();
     own.chain(shape::tables())
-        .chain(pattern::TABLES.iter().copied())
         .chain(others.into_iter().flatten().copied())
 }
 

@@ -11,67 +11,15 @@ mod places;
 #[cfg(test)]
 mod tests;
 
-use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::declaration::{Key, Range, Table, counts, integer, words};
 use crate::diagnostic::SceneError;
 use crate::document::{Document, child};
-use crate::units::{Length, Quantity};
 
-use self::copies::replace;
-use self::grid::Grid;
+use self::copies::{keys_of, replace};
+use self::grid::{Cell, Grid};
 use self::names::{Names, expand_lists};
 use self::places::{move_edges, move_place};
-
-/// Most rows, and most columns.
-const MOST: usize = 1000;
-
-const COUNT: Range = counts(1, MOST as u32);
-
-pub(crate) const MEANING: &str = "rows and columns in which copies of it stand";
-
-const PATTERN: [Key; 3] = [
-    integer(
-        "rows",
-        "`1`",
-        "2",
-        "number of rows, which follow each other along y",
-    )
-    .range(COUNT),
-    integer(
-        "columns",
-        "`1`",
-        "5",
-        "number of columns, which follow each other along x",
-    )
-    .range(COUNT),
-    words(
-        "pitch",
-        "two lengths",
-        "required of holes and cut-outs",
-        r#"["24 mm", "20 mm"]"#,
-        "from one column to the next along x, and from one row to the next along y",
-    ),
-];
-
-pub(crate) const TABLES: &[Table] = &[
-    Table::new("bodies.NAME.pattern", &PATTERN),
-    Table::new("bodies.NAME.shape.outline.cutouts.NAME.pattern", &PATTERN),
-    Table::new("bodies.NAME.shape.outline.holes.NAME.pattern", &PATTERN),
-];
-
-/// `pattern = { … }`; nothing has it once the scene is written out.
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct PatternFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rows: Option<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    columns: Option<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pitch: Option<[Quantity<Length>; 2]>,
-}
 
 /// Whether the override of `key` changes what a pattern copies, and so comes before the scene is written out.
 pub(crate) fn is_copied(document: &Document, key: &str) -> bool {
@@ -118,15 +66,6 @@ pub(crate) fn write_out(document: &mut Document) -> Result<(), SceneError> {
     expand_lists(document, &names)
 }
 
-/// Row and column of a copy, from 0.
-type Cell = [usize; 2];
-
-/// The keys of the table `table`, if it is one.
-fn keys_of(document: &Document, table: &str) -> Vec<String> {
-    let table = document.get(table).and_then(Value::as_object);
-    table.map_or(Vec::new(), |table| table.keys().cloned().collect())
-}
-
 /// The names by which scenes call the edges of a hole or of a cut-out.
 fn sets_of(written: Option<&Value>, name: &str) -> Vec<String> {
     let edges = written.and_then(|own| own.get("edges")?.as_array());
@@ -157,9 +96,4 @@ fn place_of_body(own: &mut Value, grid: &Grid, cell: Cell) {
         let position = own.entry("position").or_insert_with(origin);
         move_place(Some(position), &steps);
     }
-}
-
-/// The name of a copy.
-fn named(name: &str, [row, column]: Cell) -> String {
-    format!("{name}_{}_{}", row + 1, column + 1)
 }

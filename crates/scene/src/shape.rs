@@ -22,6 +22,7 @@ mod hole;
 mod imported;
 mod line_contact;
 mod outline;
+pub(crate) mod pattern;
 mod profile;
 mod rectangle;
 mod ring;
@@ -168,7 +169,8 @@ impl Shape {
 
 /// The tables of keys of all shapes.
 pub(crate) fn tables() -> impl Iterator<Item = Table> {
-    TABLES.iter().chain(profile::TABLES).copied()
+    let own = TABLES.iter().chain(profile::TABLES);
+    own.chain(pattern::TABLES).copied()
 }
 
 /// `shape.plate_with_hole = { … }`: a hole and what surrounds it.

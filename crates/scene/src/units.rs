@@ -260,7 +260,11 @@ pub static UNITS: [Unit; 63] = [
     unit("N/m", Dimension::SpringStiffness, 1e-3),
     unit("kN/m", Dimension::SpringStiffness, 1.0),
     unit("lbf/in", Dimension::SpringStiffness, POUND_FORCE / 25.4),
-    unit("kip/in", Dimension::SpringStiffness, 1e3 * POUND_FORCE / 25.4),
+    unit(
+        "kip/in",
+        Dimension::SpringStiffness,
+        1e3 * POUND_FORCE / 25.4,
+    ),
     unit("N/mm3", Dimension::BedStiffness, 1.0),
     unit("N/mm³", Dimension::BedStiffness, 1.0),
     unit("MPa/mm", Dimension::BedStiffness, 1.0),

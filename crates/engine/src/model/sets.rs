@@ -2,9 +2,9 @@
 
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::mesh::MeshError;
-use stickslip_scene::schema::{LoadKind, SetRef};
+use stickslip_scene::schema::{LoadKind, SetRef, SpringSupport};
 
-use super::plan::Plan;
+use super::plan::{Placed, Plan};
 use super::springs;
 use super::{ModelBody, ModelBodyKind, ModelError};
 use crate::results::{LoadedSet, SetKind};
@@ -93,7 +93,7 @@ pub(super) fn all(
     }
     for placed in &plan.springs {
         for direction in placed.of.hold.directions() {
-            sets.extend(springs::set(bodies, placed, direction)?);
+            sets.extend(sprung(&bodies[placed.body], placed, direction)?);
         }
     }
     for platen in &plan.platens {
@@ -142,6 +142,32 @@ fn weights(
     let weights = nodes.enumerate().filter(|(_, own)| *own != [0.0; 2]);
     let weights = weights.map(|(node, own)| (node, own.map(|part| part / sum)));
     Ok((force, weights.collect()))
+}
+
+/// The set of `body` on the springs `placed` along `direction`.
+fn sprung(
+    body: &ModelBody,
+    placed: &Placed<'_, SpringSupport>,
+    direction: [f64; 2],
+) -> Result<Option<ModelSet>, ModelError> {
+    let Some(elastic) = body.elastic() else {
+        return Ok(None);
+    };
+    let found = springs::mean(elastic, placed.of, direction);
+    let (weights, stiffness) = found.map_err(|cause| ModelError::Mesh {
+        body: body.name.clone(),
+        cause,
+    })?;
+    let on = placed.of.on.to_string();
+    Ok(Some(ModelSet {
+        set: LoadedSet {
+            name: on.clone(),
+            body: placed.body,
+            on,
+            kind: SetKind::Held { direction },
+        },
+        measure: Measure::Springs { weights, stiffness },
+    }))
 }
 
 /// The set `on` of the body with the index `body` that something holds along `direction` at `displacement` `[mm]`.

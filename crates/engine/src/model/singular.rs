@@ -32,8 +32,13 @@ pub(super) fn places(
 ) -> Result<Vec<Singular>, MeshError> {
     let supports = plan.supports_of(body).map(|support| &support.on);
     let springs = plan.springs.iter().filter(|own| own.body == body);
-    let at_points = springs.filter(|own| own.edge.is_none()).map(|own| &own.of.on);
-    let loaded = plan.loads.iter().filter(|load| load.body == body && load.edge.is_none());
+    let at_points = springs
+        .filter(|own| own.edge.is_none())
+        .map(|own| &own.of.on);
+    let loaded = plan
+        .loads
+        .iter()
+        .filter(|load| load.body == body && load.edge.is_none());
     let loaded = loaded.filter_map(|load| match &load.of.kind {
         LoadKind::Force { on, .. } => Some(on),
         _ => None,
@@ -41,7 +46,12 @@ pub(super) fn places(
     let platens = plan.platens_of(body).map(|platen| &platen.on);
     let mut places = Vec::new();
     let shape = plan.bodies[body].shape;
-    for on in supports.chain(at_points).chain(loaded).chain(platens).filter(|on| !shape.is_area(&on.set)) {
+    for on in supports
+        .chain(at_points)
+        .chain(loaded)
+        .chain(platens)
+        .filter(|on| !shape.is_area(&on.set))
+    {
         if mesh.edge_set(&on.set).is_err() {
             let nodes = mesh.node_set(&on.set)?.iter();
             places.extend(nodes.map(|&node| Singular::Point(node)));

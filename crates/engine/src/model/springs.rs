@@ -2,13 +2,10 @@
 
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::mesh::{Mesh, MeshError};
-use stickslip_fem_core::{HeldDirection, Spring, SpringSite};
+use stickslip_fem_core::{ElasticBody, HeldDirection, Spring, SpringSite};
 use stickslip_scene::schema::{Hold, SetRef, SpringSize, SpringSupport};
 
-use super::plan::{Placed, Plan};
-use super::sets::{Measure, ModelSet};
-use super::{ModelBody, ModelError};
-use crate::results::{LoadedSet, SetKind};
+use super::plan::Plan;
 
 /// The springs of the body with the index `index` and `thickness` `[mm]`.
 pub(super) fn of_body(
@@ -53,52 +50,40 @@ pub(super) fn of_body(
     Ok(all)
 }
 
-/// The set on the springs `placed` along `direction`, whose force follows from its mean displacement.
-pub(super) fn set(
-    bodies: &[ModelBody],
-    placed: &Placed<'_, SpringSupport>,
+/// Nodes with their weights along x and y.
+type NodeWeights = Vec<(usize, [f64; 2])>;
+
+/// The weights of the mean displacement of `body` on `springs` along `direction`, whose sum along it is one, and the stiffness of all of them `[N/mm]`.
+pub(super) fn mean(
+    body: &ElasticBody,
+    springs: &SpringSupport,
     direction: [f64; 2],
-) -> Result<Option<ModelSet>, ModelError> {
-    let SpringSupport { on, stiffness, .. } = placed.of;
-    let body = &bodies[placed.body];
-    let Some(elastic) = body.elastic() else {
-        return Ok(None);
-    };
-    let mesh_error = |cause| ModelError::Mesh {
-        body: body.name.clone(),
-        cause,
-    };
-    let (mesh, thickness) = (elastic.mesh(), elastic.thickness());
+) -> Result<(NodeWeights, f64), MeshError> {
+    let (mesh, thickness, on) = (body.mesh(), body.thickness(), &springs.on);
     let (weights, area) = match mesh.edge_set(&on.set) {
         Ok(set) => {
-            let area = area(mesh, on, thickness).map_err(mesh_error)?;
+            let area = area(mesh, on, thickness)?;
             let parts = edge_load(mesh, &set.edges, thickness, |_| direction);
             let parts = parts.chunks_exact(2).enumerate();
             let own = parts.filter(|(_, part)| *part != [0.0; 2]);
             let own = own.map(|(node, part)| (node, [part[0] / area, part[1] / area]));
             (own.collect(), area)
         }
-        Err(_) => (vec![(node(mesh, on).map_err(mesh_error)?, direction)], 1.0),
+        Err(_) => (vec![(node(mesh, on)?, direction)], 1.0),
     };
-    let stiffness = match *stiffness {
+    let stiffness = match springs.stiffness {
         SpringSize::Whole(stiffness) => stiffness,
         SpringSize::Bed(bed) => bed * area,
     };
-    Ok(Some(ModelSet {
-        set: LoadedSet {
-            name: on.to_string(),
-            body: placed.body,
-            on: on.to_string(),
-            kind: SetKind::Held { direction },
-        },
-        measure: Measure::Springs { weights, stiffness },
-    }))
+    Ok((weights, stiffness))
 }
 
 /// Area of an edge `[mm²]`.
 fn area(mesh: &Mesh, on: &SetRef, thickness: f64) -> Result<f64, MeshError> {
     let edges = &mesh.edge_set(&on.set)?.edges;
-    Ok(edge_load(mesh, edges, thickness, |_| [1.0, 0.0]).iter().sum())
+    Ok(edge_load(mesh, edges, thickness, |_| [1.0, 0.0])
+        .iter()
+        .sum())
 }
 
 /// The node of a point.

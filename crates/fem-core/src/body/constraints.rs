@@ -24,6 +24,13 @@ impl NodeConstraint {
         [self.axis, [-self.axis[1], self.axis[0]]]
     }
 
+    /// Unit vectors along which the node is held.
+    pub(super) fn holds(&self) -> Vec<[f64; 2]> {
+        let axes = self.axes().into_iter().zip(self.held);
+        axes.filter_map(|(axis, is_held)| is_held.then_some(axis))
+            .collect()
+    }
+
     /// Whether nothing but the platen's own hold acts on the node: no displacement, and no hold where the platen is free.
     fn moves_with(&self, platen: &Platen) -> bool {
         (0..2).filter(|&k| self.held[k]).all(|k| {

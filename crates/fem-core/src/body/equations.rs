@@ -79,7 +79,7 @@ impl BodyStructure {
             motions.hold_isostatically(mesh, &mut constraints, &on_interface);
         }
         let adjacency = node_adjacency(mesh);
-        check_parts(mesh, &adjacency, &constraints)?;
+        check_parts(body, &adjacency, &constraints)?;
 
         let free = |&node: &usize| {
             let own = constraints[node];

@@ -45,7 +45,9 @@ pub enum BodyError {
         support: usize,
     },
     /// Springs whose stiffness is not a positive number.
-    #[error("spring {spring}: its stiffness {stiffness} is not positive, or its direction is not a finite number")]
+    #[error(
+        "spring {spring}: its stiffness {stiffness} is not positive, or its direction is not a finite number"
+    )]
     Spring {
         /// Index of the spring.
         spring: usize,

@@ -6,15 +6,20 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::constraints::NodeConstraint;
+use super::elastic::ElasticBody;
 use super::error::BodyError;
 use crate::mesh::Mesh;
 
-/// Refuses a part with a rigid motion that `constraints` do not prevent.
+/// Refuses a part of `body` with a rigid motion that neither `constraints` nor springs prevent.
 pub(super) fn check_parts(
-    mesh: &Mesh,
+    body: &ElasticBody,
     adjacency: &[Vec<u32>],
     constraints: &[NodeConstraint],
 ) -> Result<(), BodyError> {
+    let mut resisted: Vec<Vec<[f64; 2]>> = constraints.iter().map(NodeConstraint::holds).collect();
+    for (node, direction) in body.sprung() {
+        resisted[node].push(direction);
+    }
     let mut seen = vec![false; adjacency.len()];
     for first in 0..adjacency.len() {
         if std::mem::replace(&mut seen[first], true) {
@@ -30,7 +35,7 @@ pub(super) fn check_parts(
             }
             next += 1;
         }
-        let motions = free_motions(mesh, &part, constraints);
+        let motions = free_motions(&body.mesh, &part, &resisted);
         if motions > 0 {
             return Err(BodyError::LoosePart {
                 node: first,
@@ -41,8 +46,8 @@ pub(super) fn check_parts(
     Ok(())
 }
 
-/// Number of rigid motions of the nodes `part` that their constraints leave.
-fn free_motions(mesh: &Mesh, part: &[usize], constraints: &[NodeConstraint]) -> usize {
+/// Number of rigid motions of the nodes `part` that are left free by the unit vectors along which the motion of each node is resisted.
+fn free_motions(mesh: &Mesh, part: &[usize], resisted: &[Vec<[f64; 2]>]) -> usize {
     let centre = mesh.nodes()[part[0]];
     let arm = |node: usize| [0, 1].map(|i| mesh.nodes()[node][i] - centre[i]);
     let length = part.iter().fold(f64::MIN_POSITIVE, |length, &node| {
@@ -51,10 +56,9 @@ fn free_motions(mesh: &Mesh, part: &[usize], constraints: &[NodeConstraint]) -> 
     });
     let mut gram = Matrix3::zeros();
     for &node in part {
-        let ([x, y], constraint) = (arm(node), constraints[node]);
-        for axis in (0..2).filter(|&axis| constraint.held[axis]) {
-            let [dx, dy] = constraint.axes()[axis];
-            let row = Vector3::new(dx, dy, (x * dy - y * dx) / length);
+        let [x, y] = arm(node);
+        for [dx, dy] in &resisted[node] {
+            let row = Vector3::new(*dx, *dy, (x * dy - y * dx) / length);
             gram += row * row.transpose();
         }
     }

@@ -49,7 +49,10 @@ impl ElasticBody {
         }
         let mut forces = vec![0.0; u.len()];
         for SpringCell { nodes, matrix } in self.spring_cells() {
-            let unknowns: Vec<usize> = nodes.iter().flat_map(|node| [2 * node, 2 * node + 1]).collect();
+            let unknowns: Vec<usize> = nodes
+                .iter()
+                .flat_map(|node| [2 * node, 2 * node + 1])
+                .collect();
             for (row, &own) in matrix.chunks_exact(unknowns.len()).zip(&unknowns) {
                 let terms = row.iter().zip(&unknowns);
                 forces[own] -= terms.map(|(k, &other)| k * u[other]).sum::<f64>();
@@ -65,10 +68,13 @@ impl ElasticBody {
                 SpringSite::Node(node) => vec![*node],
                 SpringSite::Edges(edges) => {
                     let all = edges.iter();
-                    all.flat_map(|&edge| self.mesh.edge_nodes(edge).all()).collect()
+                    all.flat_map(|&edge| self.mesh.edge_nodes(edge).all())
+                        .collect()
                 }
             };
-            nodes.into_iter().map(|node| (node, spring.direction.unit()))
+            nodes
+                .into_iter()
+                .map(|node| (node, spring.direction.unit()))
         })
     }
 }
@@ -104,7 +110,9 @@ fn mass(mesh: &Mesh, edge: EdgeRef) -> (Vec<usize>, Vec<f64>) {
         let (shape, slope) = (edge_shape(order, xi), edge_slope(order, xi));
         let tangent = [0, 1].map(|axis| {
             let terms = nodes.iter().zip(slope);
-            terms.map(|(&node, slope)| slope * mesh.nodes()[node][axis]).sum::<f64>()
+            terms
+                .map(|(&node, slope)| slope * mesh.nodes()[node][axis])
+                .sum::<f64>()
         });
         let length = weight * tangent[0].hypot(tangent[1]);
         for a in 0..count {

@@ -9,7 +9,8 @@ use crate::diagnostic::SceneProblem;
 use crate::document::Part;
 use crate::format::{PlatenFormat, SceneFormat, SupportFormat};
 use crate::schema::{
-    Axes, Axis, Contact, Fastener, Hold, Platen, SetRef, SpringSize, SpringSupport, Substance, Support,
+    Axes, Axis, Contact, Fastener, Hold, Platen, SetRef, SpringSize, SpringSupport, Substance,
+    Support,
 };
 use crate::units::{Angle, Quantity};
 
@@ -45,7 +46,7 @@ impl Builder<'_> {
             let on = self.set(&format!("{key}.on"), on, Fits::EdgesAndPoints);
             let hold = hold(fix.as_deref(), normal.as_ref());
             if stiffness.is_some() || bed.is_some() {
-                let size = self.springs(&key, given, on.as_ref());
+                let size = self.spring_size(&key, given, on.as_ref());
                 if let (Some(on), Some(hold), Some(stiffness)) = (on, hold, size) {
                     springs.push(SpringSupport {
                         index,
@@ -85,9 +86,15 @@ impl Builder<'_> {
     }
 
     /// How stiff the springs of a support are; refuses what they do not have.
-    fn springs(&mut self, key: &str, given: &SupportFormat, on: Option<&SetRef>) -> Option<SpringSize> {
+    fn spring_size(
+        &mut self,
+        key: &str,
+        given: &SupportFormat,
+        on: Option<&SetRef>,
+    ) -> Option<SpringSize> {
         if given.displacement.is_some() {
-            let message = "springs lead to the ground, which is at rest, and a displacement is given";
+            let message =
+                "springs lead to the ground, which is at rest, and a displacement is given";
             let remedy = "remove the displacement, or the stiffness";
             self.conflict(&format!("{key}.displacement"), message, remedy);
         }
@@ -115,7 +122,11 @@ impl Builder<'_> {
         }
         if !is_edge && matches!(size, SpringSize::Bed(_)) {
             let message = format!("{on} is a point, which has no area for a bed");
-            self.conflict(&format!("{key}.bed"), message, "give stiffness = \"500 N/mm\"");
+            self.conflict(
+                &format!("{key}.bed"),
+                message,
+                "give stiffness = \"500 N/mm\"",
+            );
             return None;
         }
         Some(size)

@@ -242,7 +242,10 @@ impl Builder<'_> {
 
     fn control(&mut self, given: &ControlFormat, around: &Surroundings<'_>) -> Option<Control> {
         if let Some(spring) = around.springs.first() {
-            let message = format!("{} is on springs, and joints whose plies fail have none", spring.on);
+            let message = format!(
+                "{} is on springs, and joints whose plies fail have none",
+                spring.on
+            );
             let remedy = "hold it without a stiffness, or remove failure.progressive";
             self.conflict(&format!("supports.{}", spring.index), message, remedy);
         }

@@ -7,7 +7,7 @@ use crate::declaration::{
     Key, NONE, POSITIVE, REQUIRED, Range, Table, angle, angles, flag, integer, length, names,
     numbers, spacing, table, table_as, with_default, words,
 };
-use crate::pattern;
+use crate::shape::pattern;
 
 /// `[mesh]`.
 #[rustfmt::skip]

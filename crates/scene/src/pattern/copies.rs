@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value};
 
-use super::grid::Grid;
-use super::{Cell, named};
+use super::grid::{Cell, Grid, named};
 use crate::document::{Document, Place, child};
 
 /// Replaces the entry `name` of the table `table` by copies in the cells of `grid`, each put in its place. What is written under the name of a copy
@@ -85,4 +84,10 @@ pub(super) fn copy_places(document: &mut Document, table: &str, copies: &[(Strin
             document.places.entry(key).or_insert(place);
         }
     }
+}
+
+/// The keys of the table `table`, if it is one.
+pub(super) fn keys_of(document: &Document, table: &str) -> Vec<String> {
+    let table = document.get(table).and_then(Value::as_object);
+    table.map_or(Vec::new(), |table| table.keys().cloned().collect())
 }

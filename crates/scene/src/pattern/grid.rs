@@ -2,11 +2,14 @@
 
 use serde::Deserialize;
 
-use super::{Cell, MOST, PatternFormat};
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::document::{Document, Part, child};
 use crate::read::Reader;
+use crate::shape::pattern::{MOST, PatternFormat};
 use crate::units::{Length, Quantity};
+
+/// Row and column of a copy, from 0.
+pub(super) type Cell = [usize; 2];
 
 /// How copies stand.
 #[derive(Clone, Debug)]
@@ -73,4 +76,9 @@ impl Grid {
         let pitch = self.pitch.iter().flatten();
         [column, row].into_iter().zip(pitch).collect()
     }
+}
+
+/// The name of a copy.
+pub(super) fn named(name: &str, [row, column]: Cell) -> String {
+    format!("{name}_{}_{}", row + 1, column + 1)
 }

@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::copies::{copy_places, replace};
-use super::grid::Grid;
-use super::{Cell, keys_of, named};
+use super::copies::{copy_places, keys_of, replace};
+use super::grid::{Cell, Grid, named};
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::document::{Document, Part, child};
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{Cell, named};
+use super::grid::{Cell, named};
 use crate::units::{Dimension, Expected, Length, Quantity, parse, unit_of};
 
 /// Decimal digits of a sum of lengths, one fewer than numbers have.

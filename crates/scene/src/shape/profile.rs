@@ -25,12 +25,12 @@ use super::Shape;
 use super::curve::Curve;
 use super::hole::MESH_KEYS;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use super::pattern::{self, PatternFormat};
 use crate::declaration::{
     Key, NONE, POSITIVE, REQUIRED, Range, Table, length, number, numbers, table, tables_of, text,
     words,
 };
 use crate::document::child;
-use crate::pattern::{self, PatternFormat};
 use crate::units::{Length, Quantity};
 
 const NAME: &str = "outline";
@@ -246,7 +246,9 @@ impl Profile {
         Self {
             contour: placed(&self.contour, &place),
             refine: self.refine.clone(),
-            points: points.map(|(name, &at)| (name.clone(), place(at))).collect(),
+            points: points
+                .map(|(name, &at)| (name.clone(), place(at)))
+                .collect(),
         }
     }
 
@@ -310,7 +312,9 @@ impl Outline for Profile {
 
     fn points(&self) -> Vec<(Cow<'static, str>, Point)> {
         let points = self.points.iter();
-        points.map(|(name, &at)| (Cow::Owned(name.clone()), at)).collect()
+        points
+            .map(|(name, &at)| (Cow::Owned(name.clone()), at))
+            .collect()
     }
 
     fn areas(&self) -> &'static [&'static str] {
@@ -380,7 +384,9 @@ impl Outline for Profile {
     fn moved(&self, by: Point) -> Option<Shape> {
         let moved = self.mapped(|at| [at[0] + by[0], at[1] + by[1]]);
         let unit = unit_of_size(&moved.contour);
-        Some(Shape::Profile(moved.mapped(|at| at.map(|x| (x / unit).round() * unit))))
+        Some(Shape::Profile(
+            moved.mapped(|at| at.map(|x| (x / unit).round() * unit)),
+        ))
     }
 
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String {

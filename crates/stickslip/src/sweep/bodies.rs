@@ -87,12 +87,7 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
 pub(super) fn model_key(scene: &Scene) -> String {
     let mut text = format!(
         "{:?} {:?} {:?} {:?} {:?} {:?}",
-        scene.analysis,
-        scene.supports,
-        scene.springs,
-        scene.platens,
-        scene.edges,
-        scene.fasteners
+        scene.analysis, scene.supports, scene.springs, scene.platens, scene.edges, scene.fasteners
     );
     // A law that does not mirror needs a whole model where another law needs half of it. Writing into a string does not fail.
     let _ = write!(text, "{:?}", obstacle_to_half(scene));

@@ -64,7 +64,12 @@ fn a_block_on_a_bed_sinks_by_its_pressure() {
         close(row.sigma_normal, -10.0, 1e-6);
         assert!(row.tau.abs() < 1e-6, "{row:?}");
     }
-    assert!(results.steps.iter().all(|step| step.balance_residual < 1e-9));
+    assert!(
+        results
+            .steps
+            .iter()
+            .all(|step| step.balance_residual < 1e-9)
+    );
 }
 
 /// The same stiffness as that of the whole edge.
@@ -80,12 +85,23 @@ fn a_bed_is_the_stiffness_of_its_area() {
 #[test]
 fn a_stiff_block_on_a_bed_tilts() {
     let free = r#"supports.1={ on = "block.bottom", fix = ["x"], bed = "5 MPa/mm" }"#;
-    let results = solved(BLOCK, &["materials.metal.isotropic.young=\"7e7 GPa\"", free]);
+    let results = solved(
+        BLOCK,
+        &["materials.metal.isotropic.young=\"7e7 GPa\"", free],
+    );
     let (force, arm, inertia) = (10.0 * 20.0 * 2.0, 10.0, 40.0_f64.powi(3) * 2.0 / 12.0);
     let sinks = |x: f64| force / (5.0 * 80.0) + force * arm * x / (5.0 * inertia);
     // The mean over the right half of the top.
-    close(set(&results, 1, "right-half").displacement, sinks(10.0), 1e-5);
-    close(set(&results, 1, "block.bottom").displacement, -sinks(0.0), 1e-5);
+    close(
+        set(&results, 1, "right-half").displacement,
+        sinks(10.0),
+        1e-5,
+    );
+    close(
+        set(&results, 1, "block.bottom").displacement,
+        -sinks(0.0),
+        1e-5,
+    );
 }
 
 /// A block on a slope of 30°, held along the slope at its upper end: F cos 30° and F sin 30°, and a spring gives by the first over its stiffness.
@@ -95,8 +111,14 @@ fn a_roller_on_a_slope_takes_the_force_across_it() {
         .replace("fix = [\"y\"]\nbed = \"5 MPa/mm\"", "normal = \"120 deg\"")
         .replace("fix = [\"x\"]", "normal = \"30 deg\"")
         .replace("shape.outline", "angle = \"30 deg\"\nshape.outline")
-        .replace("pressure.steps = [\"10 MPa\", \"10 MPa\"]", "force = { direction = [0, -1], steps = [\"2 kN\", \"1 kN\"] }")
-        .replace("pressure.steps = [\"10 MPa\", \"0 MPa\"]", "force = { direction = [0, -1], steps = [\"2 kN\", \"0 kN\"] }");
+        .replace(
+            "pressure.steps = [\"10 MPa\", \"10 MPa\"]",
+            "force = { direction = [0, -1], steps = [\"2 kN\", \"1 kN\"] }",
+        )
+        .replace(
+            "pressure.steps = [\"10 MPa\", \"0 MPa\"]",
+            "force = { direction = [0, -1], steps = [\"2 kN\", \"0 kN\"] }",
+        );
     let (sin, cos) = 30.0_f64.to_radians().sin_cos();
     let rigid = solved(&slope, &[]);
     let sprung = solved(&slope, &["supports.0.stiffness=2 kN/mm"]);
@@ -106,7 +128,11 @@ fn a_roller_on_a_slope_takes_the_force_across_it() {
             close(set(results, step, "block.left").force, force * sin, 1e-9);
         }
     }
-    close(set(&sprung, 0, "block.bottom").displacement, -2.0 * cos, 1e-9);
+    close(
+        set(&sprung, 0, "block.bottom").displacement,
+        -2.0 * cos,
+        1e-9,
+    );
     assert_eq!(set(&rigid, 0, "block.bottom").displacement, 0.0);
 }
 
@@ -150,20 +176,31 @@ fn springs_that_cannot_be_are_refused() {
             std::path::Path::new(""),
             &[] as &[&str],
         );
-        read.err().map(|error| error.to_string()).unwrap_or_default()
+        read.err()
+            .map(|error| error.to_string())
+            .unwrap_or_default()
     };
     let bed = "bed = \"5 MPa/mm\"";
     for (to, part) in [
         ("bed = \"5 MPa\"", "a bed stiffness is expected"),
         ("bed = \"-5 MPa/mm\"", "bed"),
         ("bed = \"5 MPa/mm\"\nstiffness = \"1 N/mm\"", "both given"),
-        ("bed = \"5 MPa/mm\"\ndisplacement = \"1 mm\"", "the ground, which is at rest"),
+        (
+            "bed = \"5 MPa/mm\"\ndisplacement = \"1 mm\"",
+            "the ground, which is at rest",
+        ),
     ] {
         let message = refused(bed, to);
         assert!(message.contains(part), "{to}: {message}");
     }
-    let rigid = refused("material = \"metal\"\nthickness = \"2 mm\"\nmesh.spacing = \"4 mm\"", "rigid = true");
+    let rigid = refused(
+        "material = \"metal\"\nthickness = \"2 mm\"\nmesh.spacing = \"4 mm\"",
+        "rigid = true",
+    );
     assert!(rigid.contains("rigid body"), "{rigid}");
     // Springs hold what nothing else does.
-    let _ = scene(BLOCK, &["supports.1={ on = \"block.left\", fix = [\"x\"], stiffness = \"1 N/mm\" }"]);
+    let _ = scene(
+        BLOCK,
+        &["supports.1={ on = \"block.left\", fix = [\"x\"], stiffness = \"1 N/mm\" }"],
+    );
 }

@@ -150,7 +150,12 @@ impl Given<'_> {
                         }
                         own.force = *direction;
                     }
-                    _ => return Err(format!("has the load '{}' elsewhere than on its section", load.of.name)),
+                    _ => {
+                        return Err(format!(
+                            "has the load '{}' elsewhere than on its section",
+                            load.of.name
+                        ));
+                    }
                 }
             }
             loads.push(own);

@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use stickslip_fem_core::mesh::Point;
 use stickslip_mesher::{Contour, Cutout, Piece};
 
-use crate::shape::{Curve, Edge, Role};
+use crate::shape::curve::Curve;
+use crate::shape::outline::{Edge, Role};
 
 /// Edges around the body, which is on their left.
 pub(super) fn around(contour: &Contour) -> Vec<Edge> {

@@ -4,8 +4,7 @@ use stickslip_mesher::{ContourError, ContourMesh, Division, Piece};
 
 use super::Profile;
 use crate::document::child;
-use crate::shape::Outline;
-use crate::shape::outline::Sizes;
+use crate::shape::outline::{Outline, Sizes};
 
 impl Profile {
     /// Reports what does not bound a body, or bounds it by two edges of one name.
