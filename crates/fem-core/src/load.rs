@@ -4,12 +4,17 @@
 //! f_a = t ∫ N_a q ds   (tractions q on edges)      f = t ∫ Bᵀ D ε₀ dA   (initial strain ε₀)
 //! ```
 
+use nalgebra::{Matrix2, Vector2};
+
 use crate::element::{
     EdgeValues, Element, KindVisitor, edge_rule, edge_shape, edge_slope, gather,
     physical_gradients, thermal_load, with_element,
 };
 use crate::material::PlaneStiffness;
-use crate::mesh::{EdgeRef, Mesh, Point};
+use crate::mesh::{Curve, EdgeRef, Mesh, Point};
+
+/// Part of its area by which the area inside the rim of a disk may differ from it.
+const ENCLOSED: f64 = 1e-6;
 
 /// Where a traction is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,9 +68,51 @@ pub fn edge_load(
     forces
 }
 
-/// Computes the part ∫ N_a dA `[length²]` that each node has of the body's area.
+/// Computes the part ∫ N_a (1 + g · (x − c)) dA `[length²]` that each node has of the body's area.
+///
+/// g is zero but for a disk, whose centre c it makes the centroid of the parts. The facets of a rim that is divided unevenly move it by some 10⁻⁷ of the
+/// radius, which turns a pin without friction.
 pub fn area_load(mesh: &Mesh) -> Vec<f64> {
-    area_integral(mesh, |_| 1.0)
+    let areas = area_integral(mesh, |_| 1.0);
+    match disk_centre(mesh, areas.iter().sum()) {
+        Some(centre) => centred(mesh.nodes(), areas, centre),
+        None => areas,
+    }
+}
+
+/// Centre of the circle that is the whole boundary of the mesh of a body of the area `area` `[length²]`; `None` of other bodies.
+fn disk_centre(mesh: &Mesh, area: f64) -> Option<Point> {
+    mesh.edge_set_names().find_map(|name| {
+        let set = mesh.edge_set(name).ok()?;
+        let Some(Curve::Arc { centre, .. }) = set.curve else {
+            return None;
+        };
+        let closed = mesh.edge_path(name).is_ok_and(|path| path.closed);
+        // ½ ∮ (x − c) · n ds
+        let half_flux = |at: EdgePoint| {
+            let [x, y] = [0, 1].map(|axis| (at.position[axis] - centre[axis]) * at.normal[axis]);
+            [0.5 * (x + y), 0.0]
+        };
+        let enclosed: f64 = edge_load(mesh, &set.edges, 1.0, half_flux).iter().sum();
+        (closed && (enclosed - area).abs() <= ENCLOSED * area).then_some(centre)
+    })
+}
+
+/// `areas` of `nodes` `[length²]`, times what is linear in the place and moves their centroid to `centre`.
+fn centred(nodes: &[Point], mut areas: Vec<f64>, centre: Point) -> Vec<f64> {
+    let from = |[x, y]: Point| Vector2::new(x - centre[0], y - centre[1]);
+    let (mut first, mut second) = (Vector2::zeros(), Matrix2::zeros());
+    for (&node, &area) in nodes.iter().zip(&areas) {
+        let away = from(node);
+        first += area * away;
+        second += area * away * away.transpose();
+    }
+    if let Some(slope) = second.lu().solve(&first) {
+        for (area, &node) in areas.iter_mut().zip(nodes) {
+            *area *= 1.0 - slope.dot(&from(node));
+        }
+    }
+    areas
 }
 
 /// Computes ∫ N_a f dA of a function f of the place, for each node.

@@ -1,17 +1,28 @@
-//! Walks along circular rims: weights, angles, sense.
+//! Circular rims: walks along them, with weights, angles and sense, and the area inside.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use approx::assert_relative_eq;
 use stickslip_fem_core::generate::{Disk, Extent, Generate, Growth, Rectangle, uniform_angles};
+use stickslip_fem_core::load::{area_integral, area_load};
 use stickslip_fem_core::mesh::{ElementKind, Mesh};
 
+const CENTRE: [f64; 2] = [5.0, -3.0];
+
 fn disk(extent: Extent, kind: ElementKind) -> Result<Mesh, Box<dyn std::error::Error>> {
+    divided(extent, uniform_angles(extent, 24), kind)
+}
+
+fn divided(
+    extent: Extent,
+    angles: Vec<f64>,
+    kind: ElementKind,
+) -> Result<Mesh, Box<dyn std::error::Error>> {
     let disk = Disk {
         radius: 2.0,
-        centre: [5.0, -3.0],
+        centre: CENTRE,
         extent,
-        angles: uniform_angles(extent, 24),
+        angles,
         core: Disk::CORE,
         layers: 4,
         growth: Growth::Geometric { aspect: 1.0 },
@@ -96,5 +107,35 @@ fn a_closed_walk_starts_at_the_smallest_angle() -> Result<(), Box<dyn std::error
     assert!((mesh.angles(&path, [5.0, -3.0])[0] - FRAC_PI_2 * 7.0 / 6.0).abs() < 1e-13);
     let walk = mesh.counter_clockwise(&path, [5.0, -3.0]);
     assert!(mesh.angles(&walk, [5.0, -3.0])[0].abs() < 1e-13);
+    Ok(())
+}
+
+#[test]
+fn areas_of_a_disk_balance_about_its_centre() -> Result<(), Box<dyn std::error::Error>> {
+    // Fine around 1 rad only.
+    let angles = (0..24).map(|k| f64::from(k) * TAU / 24.0);
+    let angles: Vec<f64> = angles.map(|at| at - 0.6 * (at - 1.0).sin() - 0.5).collect();
+    let angles: Vec<f64> = angles.iter().map(|at| at - angles[0]).collect();
+    for kind in ElementKind::COMMON {
+        let mesh = divided(Extent::Whole, angles.clone(), kind)?;
+        let moments = |areas: &[f64]| {
+            [0, 1].map(|axis| {
+                let nodes = mesh.nodes().iter().zip(areas);
+                nodes
+                    .map(|(node, area)| area * (node[axis] - CENTRE[axis]))
+                    .sum::<f64>()
+            })
+        };
+        let (own, areas) = (area_integral(&mesh, |_| 1.0), area_load(&mesh));
+        // Facets move the centroid by much more than the rounding of a sum over some hundred nodes.
+        assert!(moments(&own).iter().any(|moment| moment.abs() > 1e-5));
+        assert!(moments(&areas).iter().all(|moment| moment.abs() < 1e-12));
+        let [own, sum] = [own, areas].map(|areas| areas.iter().sum::<f64>());
+        // The density that moves the centroid changes the area in the second order only.
+        assert_relative_eq!(sum, own, max_relative = 1e-2);
+    }
+    // The straight side of a half is not on the circle.
+    let half = disk(Extent::Half, ElementKind::Q8)?;
+    assert_eq!(area_load(&half), area_integral(&half, |_| 1.0));
     Ok(())
 }

@@ -150,6 +150,31 @@ fn a_force_on_a_rim_needs_no_friction_to_be_held() {
     }
 }
 
+/// A force on the section of a pin and the reaction that holds a section act through its centre, however unevenly its rim is divided.
+#[test]
+fn an_unevenly_divided_pin_does_not_turn_without_friction() {
+    let lug = include_str!("../../../../scenes/validation/lug.toml");
+    let oblique = "loads.0.force.direction=[3, 1]";
+    let held = [
+        oblique,
+        "loads.0.on=lug.root",
+        "loads.0.force.steps=[\"-10 kN\"]",
+        "supports.0.on=pin.section",
+        "platens=[{ on = \"lug.root\", free = [\"x\", \"y\"] }]",
+    ];
+    for changes in [&[oblique][..], &held] {
+        let peak = |divided: &[&str]| {
+            let found = solved(lug, &[changes, divided].concat());
+            let step = &found.steps[0];
+            assert!(step.balance_residual < 1e-10, "{}", step.balance_residual);
+            step.edges[0].peak_pressure.unwrap().0
+        };
+        let even = peak(&["mesh.spacing=2 deg"]);
+        let uneven = peak(&["mesh.spacing=2 deg", "mesh.fine_to=70 deg"]);
+        assert!((uneven / even - 1.0).abs() < 2e-3, "{uneven} {even}");
+    }
+}
+
 /// Nothing holds a plate against turning whose pin turns with it; every solver that a scene can name is asked after the proof.
 #[test]
 fn every_solver_refuses_a_load_without_balance_before_it_searches() {

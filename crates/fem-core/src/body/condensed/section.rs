@@ -23,7 +23,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{Compliance, CondensedBody};
 use crate::body::error::BodyError;
-use crate::load::area_integral;
+use crate::load::{area_integral, area_load};
 use crate::mesh::Mesh;
 use crate::support::SectionHold;
 
@@ -153,7 +153,7 @@ impl Section {
 
 /// Nodal forces, interleaved, whose work on displacements is their mean along x and along y.
 fn means(mesh: &Mesh) -> [Vec<f64>; 2] {
-    let weights = area_integral(mesh, |_| 1.0);
+    let weights = area_load(mesh);
     let area: f64 = weights.iter().sum();
     [0, 1].map(|axis| {
         let mut forces = vec![0.0; 2 * weights.len()];
