@@ -21,6 +21,7 @@ mod laboratory;
 mod laminates;
 mod laws;
 mod line_contact;
+mod lugs;
 mod mutants;
 mod mutation;
 mod open_hole;
@@ -69,7 +70,7 @@ pub(crate) struct Options {
 type Checker = fn(&Laboratory) -> Result<Vec<Check>, TaskError>;
 
 /// What makes the checks of each case, in the order of `cases.toml`.
-const CHECKERS: [(&str, Checker); 27] = [
+const CHECKERS: [(&str, Checker); 28] = [
     ("elements", elements::checks),
     ("open-hole", open_hole::checks),
     ("cosine-load", cosine_load::checks),
@@ -89,6 +90,7 @@ const CHECKERS: [(&str, Checker); 27] = [
     ("rigid-pin-frictionless", rigid_pin::frictionless),
     ("rigid-pin-friction", rigid_pin::frictional),
     ("pin-orthotropic", pins::orthotropic),
+    ("lugs", lugs::checks),
     ("press-fit", press_fit::checks),
     ("interference", pins::interference),
     ("aluminium-frictionless", aluminium::frictionless),
