@@ -68,7 +68,7 @@ fn path_nodes(
         corner: (0..walk.nodes.len()).map(|k| k % walk.order == 0).collect(),
         nodes: walk.nodes,
         order: walk.order,
-        goes_on: [false; 2],
+        ends: [EdgeEnd::Free; 2],
     })
 }
 
