@@ -83,6 +83,7 @@ impl WholePlate {
         let name = || own.body.clone();
         let held = |on: &stickslip_scene::schema::SetRef| on.body == own.body;
         if own.scene.supports.iter().any(|support| held(&support.on))
+            || own.scene.springs.iter().any(|springs| held(&springs.on))
             || own.scene.platens.iter().any(|platen| held(&platen.on))
         {
             return Err(WholeError::Held { body: name() });

@@ -9,7 +9,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum ContourError {
     /// A loop of one piece or none.
-    #[error("{} has {count} edges, at least 2 are needed", called(cutout))]
+    #[error("{} has {count} edges, at least 2 are needed", called(cutout.as_ref()))]
     TooFewPieces {
         /// Name of the cut-out; `None` of the outline.
         cutout: Option<String>,
@@ -47,7 +47,7 @@ pub enum ContourError {
     /// The last piece does not end where the first begins.
     #[error(
         "{} is open: its last edge '{piece}' ends at ({}, {}), a distance of {gap} from the start ({}, {})",
-        called(cutout), end[0], end[1], start[0], start[1]
+        called(cutout.as_ref()), end[0], end[1], start[0], start[1]
     )]
     Open {
         /// Name of the cut-out; `None` of the outline.
@@ -80,7 +80,7 @@ pub enum ContourError {
     /// Pieces in the wrong order.
     #[error(
         "{} is clockwise (its signed area is {area}); reverse the order of its edges",
-        called(cutout)
+        called(cutout.as_ref())
     )]
     Clockwise {
         /// Name of the cut-out; `None` of the outline.
@@ -270,8 +270,8 @@ pub enum ContourError {
 }
 
 /// What a message calls a loop.
-fn called(cutout: &Option<String>) -> String {
-    cutout.as_ref().map_or_else(
+fn called(cutout: Option<&String>) -> String {
+    cutout.map_or_else(
         || "the outline".to_owned(),
         |name| format!("cut-out '{name}'"),
     )

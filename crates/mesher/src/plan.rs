@@ -130,8 +130,7 @@ fn check_points(division: &Division, outline: &Outline) -> Result<(), ContourErr
         }
         let apart = outline.tracks.iter().map(|track| distance(track.from, at));
         let nearest = apart.fold(f64::INFINITY, f64::min);
-        // Written so that NaN is refused too.
-        if !(nearest <= outline.tolerance) {
+        if nearest.is_nan() || nearest > outline.tolerance {
             return Err(ContourError::NoEnd {
                 point: name.clone(),
                 at,

@@ -52,7 +52,7 @@ pub fn document(
     Ok(document)
 }
 
-/// Reads the document of a scene, with its patterns written out. Overrides of what a pattern copies are applied before, others after.
+/// Reads the document of a scene, with its patterns written out. Overrides of what a pattern copies, and those that bring patterns, are applied before, others after.
 ///
 /// # Errors
 /// As [`document`], and at a pattern that cannot be written out.
@@ -66,8 +66,8 @@ pub(crate) fn scene(
     document.host = host;
     let mut later = Vec::new();
     for argument in overrides.iter().map(AsRef::as_ref) {
-        let key = argument.split('=').next().unwrap_or_default();
-        if pattern::is_copied(&document, key.trim()) {
+        let (key, value) = argument.split_once('=').unwrap_or((argument, ""));
+        if pattern::is_copied(&document, key.trim()) || value.contains("pattern") {
             overrides::apply(&mut document, argument)?;
         } else {
             later.push(argument);

@@ -80,13 +80,19 @@ fn sets_of(written: Option<&Value>, name: &str) -> Vec<String> {
 }
 
 fn place_of_hole(own: &mut Value, grid: &Grid, cell: Cell) {
-    move_place(own.get_mut("centre"), &grid.steps(cell));
+    if let Some(centre) = own.get_mut("centre") {
+        move_place(centre, &grid.steps(cell));
+    }
 }
 
 fn place_of_cutout(own: &mut Value, grid: &Grid, cell: Cell) {
     let steps = grid.steps(cell);
-    move_place(own.get_mut("start"), &steps);
-    move_edges(own.get_mut("edges"), &steps, cell);
+    if let Some(start) = own.get_mut("start") {
+        move_place(start, &steps);
+    }
+    if let Some(edges) = own.get_mut("edges") {
+        move_edges(edges, &steps, cell);
+    }
 }
 
 fn place_of_body(own: &mut Value, grid: &Grid, cell: Cell) {
@@ -94,6 +100,6 @@ fn place_of_body(own: &mut Value, grid: &Grid, cell: Cell) {
     if let (Value::Object(own), false) = (own, steps.is_empty()) {
         let origin = || serde_json::json!(["0 mm", "0 mm"]);
         let position = own.entry("position").or_insert_with(origin);
-        move_place(Some(position), &steps);
+        move_place(position, &steps);
     }
 }

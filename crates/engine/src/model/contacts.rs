@@ -7,6 +7,7 @@ mod geometry;
 mod open;
 mod projection;
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use stickslip_contact::{ContactPair, ContactPoint, Facing};
@@ -110,6 +111,18 @@ impl Contacts {
             }
         };
         let bodies = [first.body, second.body];
+        for (side, nodes) in [(first, Some(&upper)), (second, lower.as_ref())] {
+            let known = &self.interfaces[side.body];
+            let shared = nodes.map_or(0, |nodes| shared(known, &nodes.nodes));
+            // A corner between two edges is one node.
+            if shared > 1 {
+                let what = format!(
+                    "{} touches in another contact at the same {shared} nodes, whose stresses would lack one of the two: give parts of the edge names of their own",
+                    side.of
+                );
+                return Err(refused(contact, what));
+            }
+        }
         let [above, below] = self.sides(meshes, bodies, &upper, lower.as_ref());
         let body = &plan.bodies[first.body];
         let tied = Tied {
@@ -189,6 +202,12 @@ impl Contacts {
             self.ends[body].push(count);
         }
     }
+}
+
+/// Number of `nodes` that are among `known`.
+fn shared(known: &[usize], nodes: &[usize]) -> usize {
+    let known: HashSet<usize> = known.iter().copied().collect();
+    nodes.iter().filter(|node| known.contains(node)).count()
 }
 
 /// `edge` with what else than contact acts on it.

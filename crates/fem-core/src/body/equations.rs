@@ -270,7 +270,6 @@ impl FreeMotions {
             platen.nodes.iter().for_each(|&node| counts[node] = false);
         }
         let candidates = motions.count();
-        let sprung = body.sprung().filter(|&(node, _)| counts[node]);
         let mut gram = DMatrix::zeros(candidates, candidates);
         let mut holds = 0;
         for (node, constraint) in constraints
@@ -284,7 +283,8 @@ impl FreeMotions {
                 holds += 1;
             }
         }
-        for (node, direction) in sprung {
+        // Springs on the platen itself resist it too.
+        for (node, direction) in body.sprung() {
             let row = motions.row(&body.mesh, node, direction);
             gram += row.transpose() * row;
             holds += 1;

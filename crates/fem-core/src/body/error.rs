@@ -54,9 +54,9 @@ pub enum BodyError {
         /// Its stiffness.
         stiffness: f64,
     },
-    /// A platen is free along an axis in which supports elsewhere hold the body.
+    /// A platen is free along an axis in which supports elsewhere, or springs, hold the body.
     #[error(
-        "the platen is free in {free} translations, but supports leave the body only {left}: hold the platen there too"
+        "the platen is free in {free} translations, but supports and springs leave the body only {left}: hold the platen there too, and put no spring on its body along a free axis"
     )]
     PlatenResisted {
         /// Translations that the platen is free to make.

@@ -33,7 +33,9 @@ impl ElasticBody {
                     .map(|&edge| {
                         let (nodes, mut shares) = mass(&self.mesh, edge);
                         let factor = spring.stiffness * self.thickness;
-                        shares.iter_mut().for_each(|share| *share *= factor);
+                        for share in &mut shares {
+                            *share *= factor;
+                        }
                         cell(nodes, shares)
                     })
                     .collect(),

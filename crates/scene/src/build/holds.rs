@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use super::idle::spans;
 use super::{Builder, Fits};
 use crate::diagnostic::SceneProblem;
 use crate::document::Part;
@@ -82,6 +83,7 @@ impl Builder<'_> {
                 });
             }
         }
+        self.springs_act(&supports, &springs);
         (supports, springs)
     }
 
@@ -120,6 +122,9 @@ impl Builder<'_> {
             self.conflict(&format!("{key}.on"), message, "name an edge or a point");
             return None;
         }
+        if !is_edge && self.has_several_nodes(key, on) {
+            return None;
+        }
         if !is_edge && matches!(size, SpringSize::Bed(_)) {
             let message = format!("{on} is a point, which has no area for a bed");
             self.conflict(
@@ -130,6 +135,43 @@ impl Builder<'_> {
             return None;
         }
         Some(size)
+    }
+
+    /// Refuses a force or a spring on a point that is a set of several nodes, over which neither is shared.
+    pub(super) fn has_several_nodes(&mut self, key: &str, on: &SetRef) -> bool {
+        let shape = self.bodies.get(&on.body).map(|body| &body.shape);
+        let is_point =
+            shape.is_some_and(|shape| shape.edge(&on.set).is_none() && !shape.is_area(&on.set));
+        let count = shape.map_or(1, |shape| shape.nodes_of_point(&on.set));
+        let several = is_point && count > 1;
+        if several {
+            let message = format!(
+                "{on} is a set of {count} nodes, and forces and springs are on an edge, an area or one node"
+            );
+            self.conflict(&format!("{key}.on"), message, "name one node, or an edge");
+        }
+        several
+    }
+
+    /// Refuses springs where a support holds the same set along the same axis, which then carries all.
+    pub(super) fn springs_act(&mut self, supports: &[Support], springs: &[SpringSupport]) {
+        for own in springs {
+            let held = supports.iter().filter(|other| other.on == own.on);
+            let held: Vec<[f64; 2]> = held.flat_map(|other| other.hold.directions()).collect();
+            if own
+                .hold
+                .directions()
+                .iter()
+                .any(|direction| spans(&held, *direction))
+            {
+                let message = format!(
+                    "{} is held along the springs, which therefore carry nothing",
+                    own.on
+                );
+                let remedy = "remove the support or the springs, or give them different axes";
+                self.conflict(&format!("supports.{}.on", own.index), message, remedy);
+            }
+        }
     }
 
     /// Refuses a second displacement of an area along an axis.

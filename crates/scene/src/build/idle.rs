@@ -41,7 +41,7 @@ impl Builder<'_> {
 }
 
 /// Whether `direction` is a combination of the unit vectors `held`.
-fn spans(held: &[[f64; 2]], direction: [f64; 2]) -> bool {
+pub(super) fn spans(held: &[[f64; 2]], direction: [f64; 2]) -> bool {
     let parallel =
         |one: [f64; 2], other: [f64; 2]| (one[0] * other[1] - one[1] * other[0]).abs() < 1e-9;
     held.iter()

@@ -91,6 +91,9 @@ impl Builder<'_> {
         };
         let on = self.set(&child(key, "on"), on, fits)?;
         if let Some(force) = force {
+            if self.has_several_nodes(key, &on) {
+                return None;
+            }
             return self.force(key, on, force);
         }
         if let Some(bearing) = bearing {

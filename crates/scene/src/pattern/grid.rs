@@ -5,7 +5,7 @@ use serde::Deserialize;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::document::{Document, Part, child};
 use crate::read::Reader;
-use crate::shape::pattern::{MOST, PatternFormat};
+use crate::shape::pattern::{COPIES, MOST, PatternFormat};
 use crate::units::{Length, Quantity};
 
 /// Row and column of a copy, from 0.
@@ -21,7 +21,7 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// The pattern of the table `table`, if it has one, whose copies need places of their own if they are `placed`.
+    /// The pattern of the table `table`, if it has one, whose copies need places of their own if they are `placed` or the table has a position.
     pub(super) fn of(
         document: &Document,
         table: &str,
@@ -50,7 +50,16 @@ impl Grid {
                 return Err(document.error(&child(&key, name), Part::Value, problem));
             }
         }
-        if placed && pitch.is_none() {
+        let copies = rows.unwrap_or(1) * columns.unwrap_or(1);
+        if copies > COPIES {
+            let problem = SceneProblem::conflict(
+                format!("the pattern has {copies} copies, and at most {COPIES} are written out"),
+                "give fewer rows or columns",
+            );
+            return Err(document.error(&key, Part::Key, problem));
+        }
+        let stands = document.get(&child(table, "position")).is_some();
+        if (placed || stands) && pitch.is_none() {
             let problem = SceneProblem::MissingKey {
                 key: "pitch".to_owned(),
                 table: format!("[{key}]"),

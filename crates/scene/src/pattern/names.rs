@@ -68,7 +68,8 @@ pub(super) fn expand_lists(document: &mut Document, names: &Names) -> Result<(),
                 let text = entry.get(key)?.as_str()?;
                 Some((child(&at, key), text.to_owned()))
             });
-            let Some(grid) = common(document, names, texts.collect())? else {
+            let texts: Vec<_> = texts.collect();
+            let Some(grid) = common(document, names, &texts)? else {
                 copies.push((all.len().to_string(), index.to_string()));
                 all.push(entry);
                 continue;
@@ -77,7 +78,9 @@ pub(super) fn expand_lists(document: &mut Document, names: &Names) -> Result<(),
                 copies.push((all.len().to_string(), index.to_string()));
                 let mut copy = entry.clone();
                 for key in keys {
-                    rename(copy.get_mut(*key), names, cell);
+                    if let Some(text) = copy.get_mut(*key) {
+                        rename(text, names, cell);
+                    }
                 }
                 if let Some(Value::String(name)) = copy.get_mut("name") {
                     *name = named(name, cell);
@@ -99,7 +102,8 @@ fn fasteners(document: &mut Document, names: &Names) -> Result<(), SceneError> {
         let slices = document.get(&key).and_then(Value::as_array);
         let texts = slices.into_iter().flatten().enumerate();
         let texts = texts.filter_map(|(k, text)| Some((child(&key, k), text.as_str()?.to_owned())));
-        let Some(grid) = common(document, names, texts.collect())?.cloned() else {
+        let texts: Vec<_> = texts.collect();
+        let Some(grid) = common(document, names, &texts)?.cloned() else {
             continue;
         };
         replace(document, "fasteners", &name, &grid, |_, _, _| {});
@@ -107,7 +111,7 @@ fn fasteners(document: &mut Document, names: &Names) -> Result<(), SceneError> {
             let key = child(&child("fasteners", named(&name, cell)), "slices");
             if let Some(Value::Array(slices)) = document.get_mut(&key) {
                 for slice in slices {
-                    rename(Some(slice), names, cell);
+                    rename(slice, names, cell);
                 }
             }
         }
@@ -116,8 +120,8 @@ fn fasteners(document: &mut Document, names: &Names) -> Result<(), SceneError> {
 }
 
 /// Puts the name of the copy in a cell for that of a pattern.
-fn rename(text: Option<&mut Value>, names: &Names, cell: Cell) {
-    if let Some(Value::String(text)) = text
+fn rename(text: &mut Value, names: &Names, cell: Cell) {
+    if let Value::String(text) = text
         && let Ok(Some(_)) = names.grid(text)
     {
         *text = names.copied(text, cell);
@@ -128,14 +132,14 @@ fn rename(text: Option<&mut Value>, names: &Names, cell: Cell) {
 fn common<'a>(
     document: &Document,
     names: &'a Names,
-    texts: Vec<(String, String)>,
+    texts: &[(String, String)],
 ) -> Result<Option<&'a Grid>, SceneError> {
     let refuse = |key: &str, message: String, remedy: &str| {
         let problem = SceneProblem::conflict(message, remedy);
         Err(document.error(key, Part::Value, problem))
     };
     let mut found: Option<(&str, &Grid)> = None;
-    for (key, text) in &texts {
+    for (key, text) in texts {
         let Ok(grid) = names.grid(text) else {
             let message = format!("'{text}' is a pattern in a body that is a pattern itself");
             let remedy = "name its copies, such as plate_1_1.hole_1_2, or write the bodies out";

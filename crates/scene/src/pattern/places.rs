@@ -9,8 +9,8 @@ use crate::units::{Dimension, Expected, Length, Quantity, parse, unit_of};
 const DIGITS: i32 = 15;
 
 /// Moves a list of two lengths by as many steps along x and y.
-pub(super) fn move_place(place: Option<&mut Value>, steps: &[(usize, &Quantity<Length>)]) {
-    let Some(Value::Array(parts)) = place else {
+pub(super) fn move_place(place: &mut Value, steps: &[(usize, &Quantity<Length>)]) {
+    let Value::Array(parts) = place else {
         return;
     };
     for (part, (count, pitch)) in parts.iter_mut().zip(steps) {
@@ -23,17 +23,15 @@ pub(super) fn move_place(place: Option<&mut Value>, steps: &[(usize, &Quantity<L
 }
 
 /// Moves the edges of a cut-out, and names them after its cell.
-pub(super) fn move_edges(
-    edges: Option<&mut Value>,
-    steps: &[(usize, &Quantity<Length>)],
-    cell: Cell,
-) {
-    let Some(Value::Array(edges)) = edges else {
+pub(super) fn move_edges(edges: &mut Value, steps: &[(usize, &Quantity<Length>)], cell: Cell) {
+    let Value::Array(edges) = edges else {
         return;
     };
     for edge in edges {
         for key in ["to", "through"] {
-            move_place(edge.get_mut(key), steps);
+            if let Some(place) = edge.get_mut(key) {
+                move_place(place, steps);
+            }
         }
         if let Some(Value::String(name)) = edge.get_mut("name") {
             *name = named(name, cell);

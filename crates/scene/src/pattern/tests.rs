@@ -133,6 +133,16 @@ fn overrides_change_all_copies_or_one() {
 }
 
 #[test]
+fn a_table_that_an_override_brings_is_copied_too() {
+    let pattern = "\npattern = { rows = 2, columns = 3, pitch = [\"24.2 mm\", \"20 mm\"] }";
+    let text = format!("{HEAD}{PATTERN}");
+    assert!(text.contains(pattern));
+    let whole = r#"bodies.plate.shape.outline.holes.hole={ centre = ["0.1 mm", "0 mm"], radius = "3 mm", pattern = { rows = 2, columns = 3, pitch = ["24.2 mm", "20 mm"] } }"#;
+    let scene = read(&text.replacen(pattern, "", 1), &[whole]).unwrap();
+    assert_eq!(scene.resolved(), read_pattern(&[]).resolved());
+}
+
+#[test]
 fn slots_and_bodies_with_places_are_copied() {
     let text = HEAD.to_owned()
         + r#"
@@ -158,10 +168,7 @@ name = "push"
 on = "stud.bottom"
 pressure.steps = ["1 MPa"]
 "#;
-    let scene = read(&text, &["bodies.plate.mesh.spacing=6 deg"]);
-    let scene = scene
-        .or_else(|_| read(&text, &["mesh.spacing=4 mm"]))
-        .unwrap();
+    let scene = read(&text, &["mesh.spacing=4 mm"]).unwrap();
     let edge = scene.bodies["plate"].shape.edge("end_1_2").unwrap();
     assert!(edge.curve.path().unwrap().at(0.0)[0] > 33.0);
     assert_eq!(scene.bodies["stud_1_2"].position, [30.0, 60.0]);
@@ -179,6 +186,16 @@ fn patterns_that_do_not_fit_are_refused_where_they_stand() {
             "'plate.hole' has 2 rows and 3 columns, and 'bolt.rim' 3 and 2",
         ),
         ("rows = 2, columns = 3 }", "rows = 0, columns = 3 }", "rows"),
+        (
+            "rows = 2, columns = 3 }",
+            "rows = 1000, columns = 1000 }",
+            "1000000 copies",
+        ),
+        (
+            "pattern = { rows = 2, columns = 3 }",
+            "position = [\"0 mm\", \"0 mm\"]\npattern = { rows = 2, columns = 3 }",
+            "pitch",
+        ),
         (
             "rows = 2, columns = 3 }",
             "rows = 2, colums = 3 }",

@@ -290,6 +290,11 @@ impl Outline for GivenMesh {
         Some(&self.digest)
     }
 
+    fn nodes_of_point(&self, name: &str) -> usize {
+        let nodes = self.mesh.as_ref().map(|mesh| mesh.node_set(name));
+        nodes.and_then(Result::ok).map_or(1, <[_]>::len)
+    }
+
     fn why_not_round(&self, edge: &str) -> Option<&str> {
         let own = self.uneven.iter().find(|(name, _)| name == edge)?;
         Some(&own.1)

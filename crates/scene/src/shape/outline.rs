@@ -52,6 +52,11 @@ pub trait Outline: fmt::Debug {
         None
     }
 
+    /// Number of nodes of the point `name`: more than one in a mesh from a file.
+    fn nodes_of_point(&self, _name: &str) -> usize {
+        1
+    }
+
     /// By how much the closed edge `edge` is no circle, where it is nearly one.
     fn why_not_round(&self, _edge: &str) -> Option<&str> {
         None

@@ -7,6 +7,8 @@ use crate::units::{Length, Quantity};
 
 /// Most rows, and most columns.
 pub(crate) const MOST: usize = 1000;
+/// Most copies.
+pub(crate) const COPIES: usize = 10_000;
 
 const COUNT: Range = counts(1, MOST as u32);
 

@@ -141,8 +141,9 @@ fn a_slot_concentrates_stresses_as_on_finer_meshes_and_about_as_an_ellipse() {
     let [coarse, fine, [finest, other]] = [8.0, 16.0, 64.0].map(found);
     close(other, finest, 1e-3);
     for (own, tolerance) in [(coarse, 0.01), (fine, 1e-3)] {
-        own.into_iter()
-            .for_each(|end| close(end, finest, tolerance));
+        for end in own {
+            close(end, finest, tolerance);
+        }
     }
     let ellipse = (1.0 + 2.0 * 3.0_f64.sqrt()) / (PI * 6.0 / 40.0).cos().sqrt();
     close(finest, ellipse, 0.05);

@@ -1,6 +1,9 @@
 //! Springs to the ground, and rollers along a slope, against closed forms.
 
+use stickslip::model::Model;
 use stickslip::results::{Finding, Results, SetMotion};
+use stickslip::run;
+use stickslip::scene::schema::SolverChoice;
 
 use super::{scene, solved};
 
@@ -198,9 +201,24 @@ fn springs_that_cannot_be_are_refused() {
         "rigid = true",
     );
     assert!(rigid.contains("rigid body"), "{rigid}");
-    // Springs hold what nothing else does.
-    let _ = scene(
-        BLOCK,
-        &["supports.1={ on = \"block.left\", fix = [\"x\"], stiffness = \"1 N/mm\" }"],
+    let held = refused(
+        bed,
+        "bed = \"5 MPa/mm\"\n[[supports]]\non = \"block.bottom\"\nfix = [\"y\"]",
     );
+    assert!(held.contains("carry nothing"), "{held}");
+    // A platen that is free along springs on it would not feel them.
+    let platen = "bed = \"5 MPa/mm\"\n[[platens]]\non = \"block.bottom\"\nfree = [\"y\"]";
+    let text = BLOCK.replacen(bed, platen, 1);
+    let read = scene(
+        &text,
+        &["supports.1.on=\"block.right\"", "loads.0.on=\"block.top\""],
+    );
+    let solver = run::solver(SolverChoice::Auto);
+    let refused = Model::build(&read)
+        .map_err(|error| error.to_string())
+        .and_then(|model| {
+            let solved = run::solve(&model, solver.as_ref(), &mut |_| {});
+            solved.map(|_| ()).map_err(|error| error.to_string())
+        });
+    assert!(refused.unwrap_err().contains("no spring on its body"));
 }

@@ -17,6 +17,46 @@ pub(super) const PSI: f64 = 4.448_221_615_260_5 / (25.4 * 25.4);
 
 /// One of every kind that concerns no contact.
 fn of_the_run() -> Vec<Finding> {
+    [of_other_ways(), of_bodies()].concat()
+}
+
+/// One of every kind about other ways to an answer.
+fn of_other_ways() -> Vec<Finding> {
+    let steps = vec![2, 3, 4, 7];
+    vec![
+        Finding::CutBack {
+            steps: steps.clone(),
+            effect: CutBackEffect::Slip {
+                step: 7,
+                increments: 8,
+                slip_change: 0.0123456,
+                dissipation_change: 0.5,
+            },
+        },
+        Finding::CoarseLoadPath(CoarseLoadPath {
+            steps: steps.clone(),
+            step: 7,
+            increments: 4,
+            traction_change: 0.08,
+            dissipation_change: 0.25,
+        }),
+        Finding::LoadPathUnchecked { steps: vec![1] },
+        Finding::SolverDependent(SolverDependence {
+            steps: steps.clone(),
+            step: 7,
+            solver: "pivoting",
+            peak_pressure_change: 0.25,
+            traction_change: 0.1 + 0.2,
+        }),
+        Finding::NoOtherSolver {
+            too_dear: steps.clone(),
+            limit: 2e9,
+            unsolved: vec![1],
+        },
+    ]
+}
+
+fn of_bodies() -> Vec<Finding> {
     let steps = vec![2, 3, 4, 7];
     let names = || vec!["a".to_owned(), "b".to_owned(), "c".to_owned()];
     vec![
@@ -47,35 +87,6 @@ fn of_the_run() -> Vec<Finding> {
             solutions: Some(1),
             other_solver_asked: false,
         }),
-        Finding::CutBack {
-            steps: steps.clone(),
-            effect: CutBackEffect::Slip {
-                step: 7,
-                increments: 8,
-                slip_change: 0.0123456,
-                dissipation_change: 0.5,
-            },
-        },
-        Finding::CoarseLoadPath(CoarseLoadPath {
-            steps: steps.clone(),
-            step: 7,
-            increments: 4,
-            traction_change: 0.08,
-            dissipation_change: 0.25,
-        }),
-        Finding::LoadPathUnchecked { steps: vec![1] },
-        Finding::SolverDependent(SolverDependence {
-            steps: steps.clone(),
-            step: 7,
-            solver: "pivoting",
-            peak_pressure_change: 0.25,
-            traction_change: 0.1 + 0.2,
-        }),
-        Finding::NoOtherSolver {
-            too_dear: steps.clone(),
-            limit: 2e9,
-            unsolved: vec![1],
-        },
         Finding::Unverified {
             steps: steps.clone(),
             solvers: vec!["penalty"],
