@@ -18,6 +18,7 @@ mod free_motions;
 pub(crate) mod link;
 mod stencil;
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
@@ -43,6 +44,8 @@ pub struct InterfaceProblem {
     contacts: Contacts,
     compliance: Compliance,
     compliance_unit: f64,
+    /// See [`Self::local_give`].
+    local_give: f64,
     modes: DMatrix<f64>,
     /// Unit of each mode: what an amount of 1 is in the body's own amounts.
     mode_units: Vec<f64>,
@@ -85,6 +88,7 @@ impl InterfaceProblem {
         let mut problem = Self {
             compliance: assemble(&contacts, bodies),
             compliance_unit: 1.0,
+            local_give: 0.0,
             modes: DMatrix::zeros(size, mode_offsets[bodies.len()]),
             mode_units: vec![1.0; mode_offsets[bodies.len()]],
             case_motion: vec![DVector::zeros(size); cases],
@@ -100,6 +104,7 @@ impl InterfaceProblem {
         problem.equilibrate_modes();
         problem.find_sliding_points();
         problem.compliance_unit = power_of_two_near(problem.largest_give());
+        problem.find_local_give();
         Ok(problem)
     }
 
@@ -335,6 +340,26 @@ impl InterfaceProblem {
     /// The largest compliance of a point under its own force `[length/force]`.
     pub fn largest_give(&self) -> f64 {
         self.compliance.diagonal().amax()
+    }
+
+    /// The largest normal compliance of a point against its neighbour in the pair, ½ (A_kk + A_jj − 2 A_kj) `[length/force]`: without what bodies move as a whole, as on soft springs.
+    pub(crate) fn local_give(&self) -> f64 {
+        self.local_give
+    }
+
+    fn find_local_give(&mut self) {
+        let Some(matrix) = self.compliance.matrix() else {
+            self.local_give = 0.0;
+            return;
+        };
+        let own = |range: Range<usize>| range.clone().zip(range.skip(1));
+        let pairs = 0..self.contacts.pairs().len();
+        let neighbours = pairs.flat_map(|pair| own(self.contacts.pair_points(pair)));
+        let gives = neighbours.map(|(k, j)| {
+            let [k, j] = [2 * k, 2 * j];
+            0.5 * (matrix[(k, k)] + matrix[(j, j)] - 2.0 * matrix[(k, j)])
+        });
+        self.local_give = gives.fold(0.0, f64::max);
     }
 
     /// The unit of compliance `[length/force]` in which solvers work, so that A and G have entries of one size: forces times this

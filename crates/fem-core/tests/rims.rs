@@ -114,7 +114,9 @@ fn a_closed_walk_starts_at_the_smallest_angle() -> Result<(), Box<dyn std::error
 fn areas_of_a_disk_balance_about_its_centre() -> Result<(), Box<dyn std::error::Error>> {
     // Fine around 1 rad only.
     let angles = (0..24).map(|k| f64::from(k) * TAU / 24.0);
-    let angles: Vec<f64> = angles.map(|at| at - 0.6 * (at - 1.0).sin() - 0.5).collect();
+    let angles: Vec<f64> = angles
+        .map(|at| at - 0.3 * (at - 1.0).sin() - 0.25)
+        .collect();
     let angles: Vec<f64> = angles.iter().map(|at| at - angles[0]).collect();
     for kind in ElementKind::COMMON {
         let mesh = divided(Extent::Whole, angles.clone(), kind)?;

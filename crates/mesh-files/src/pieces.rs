@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use stickslip_fem_core::mesh::{Curve, Point};
 
-use crate::recognise::{Recognised, recognise};
+use crate::recognise::recognise;
 
 /// Edges that a piece has on average at least: a curve of another kind falls apart into single edges.
 const EDGES_OF_PIECE: usize = 3;
@@ -25,7 +25,7 @@ pub struct Piece {
     pub curve: Curve,
 }
 
-/// Divides an open chain into lines and arcs, from its beginning; arguments as of [`recognise`]. None where the edges are as good as any.
+/// Divides an open chain into lines and arcs, from its beginning; arguments as of [`recognise`]. None if a piece has fewer than three edges on average.
 ///
 /// A piece is as long as its nodes are off it by no more than ten times what those of its first four edges are, or 1e-9 of its radius or length: a flat arc that goes on as its
 /// tangent leaves the tolerance of [`recognise`] late.
@@ -34,32 +34,68 @@ pub fn recognise_pieces(mesh_nodes: &[Point], walk: &[usize], order: usize) -> O
     let mut pieces = Vec::new();
     let mut from = 0;
     while from < edges {
-        let up_to = |to: usize| {
-            let nodes = from * order..=to * order;
-            let found = recognise(mesh_nodes, walk.get(nodes.clone())?, false, order)?;
-            Some((to, nodes, found))
-        };
-        let rounding = |to: usize, found: &Recognised| match found.curve {
-            Curve::Arc { radius, .. } => ROUNDING * radius,
-            Curve::Line => {
-                let [a, b] = [from, to].map(|corner| mesh_nodes[walk[corner * order]]);
-                ROUNDING * (b[0] - a[0]).hypot(b[1] - a[1])
-            }
-        };
-        let first = (from + SAMPLE..=edges).find_map(up_to);
-        let noise = first.map_or(f64::INFINITY, |(_, _, found)| NOISE * found.residual);
-        let all = (from + 1..=edges).rev().filter_map(up_to);
-        let mut near =
-            all.filter(|(to, _, found)| found.residual <= noise.max(rounding(*to, found)));
-        let (to, nodes, found) = near.next()?;
-        pieces.push(Piece {
-            nodes,
-            curve: found.curve,
-        });
+        if (pieces.len() + 1) * EDGES_OF_PIECE > edges {
+            return None;
+        }
+        let (to, piece) = longest(mesh_nodes, walk, order, [from, edges])?;
+        pieces.push(piece);
         from = to;
     }
-    let is_divided = !pieces.is_empty() && pieces.len() * EDGES_OF_PIECE <= edges;
-    is_divided.then_some(pieces)
+    (!pieces.is_empty()).then_some(pieces)
+}
+
+/// The piece from the corner `from`, up to the corner `end` at most, and where it ends.
+fn longest(
+    mesh_nodes: &[Point],
+    walk: &[usize],
+    order: usize,
+    [from, end]: [usize; 2],
+) -> Option<(usize, Piece)> {
+    let up_to = |to: usize| {
+        let nodes = from * order..=to * order;
+        let found = recognise(mesh_nodes, walk.get(nodes)?, false, order)?;
+        Some((to, found))
+    };
+    let sample = from + SAMPLE;
+    let first = (sample <= end).then(|| up_to(sample)).flatten();
+    let best = match first {
+        None => (from + 1..sample.min(end + 1)).rev().find_map(up_to)?,
+        Some((_, known)) => {
+            let near = |to: usize| {
+                let (_, found) = up_to(to)?;
+                let rounding = match found.curve {
+                    Curve::Arc { radius, .. } => ROUNDING * radius,
+                    Curve::Line => {
+                        let [a, b] = [from, to].map(|corner| mesh_nodes[walk[corner * order]]);
+                        ROUNDING * (b[0] - a[0]).hypot(b[1] - a[1])
+                    }
+                };
+                (found.residual <= rounding.max(NOISE * known.residual)).then_some((to, found))
+            };
+            // Twice as far each time, then in halves.
+            let mut best = (sample, known);
+            let mut beyond = end + 1;
+            while best.0 + 1 < beyond {
+                let far = from + 2 * (best.0 - from);
+                let to = if far < beyond {
+                    far
+                } else {
+                    best.0.midpoint(beyond)
+                };
+                match near(to) {
+                    Some(found) => best = found,
+                    None => beyond = to,
+                }
+            }
+            best
+        }
+    };
+    let (to, found) = best;
+    let piece = Piece {
+        nodes: from * order..=to * order,
+        curve: found.curve,
+    };
+    Some((to, piece))
 }
 
 #[cfg(test)]

@@ -99,7 +99,9 @@ pub struct Otherwise {
     /// By the same solver in twice as many increments: where the step was cut back under friction into few of them.
     pub finer: Option<Difference>,
     /// By the same solver in four times as many increments: where friction acts, the load path begins or turns, and few increments divide the step.
-    pub path: Option<Result<Difference, Missing>>,
+    pub path: Option<Difference>,
+    /// Why that is missing where it was called for.
+    pub path_missing: Option<Missing>,
 }
 
 impl Otherwise {
@@ -111,12 +113,12 @@ impl Otherwise {
         let more = |one: Option<Difference>, other: Option<Difference>| {
             one.into_iter().chain(other).reduce(Difference::or_worse)
         };
-        let paths = self.path.into_iter().chain(other.path);
         Self {
             other_solver: more(self.other_solver, other.other_solver),
             missing: self.missing.or(other.missing),
             finer: more(self.finer, other.finer),
-            path: paths.reduce(|one, other| Ok(one?.or_worse(other?))),
+            path: more(self.path, other.path),
+            path_missing: self.path_missing.or(other.path_missing),
         }
     }
 }
@@ -172,19 +174,30 @@ impl LoadHistory {
         all
     }
 
-    /// Whether the load path begins with the step `index`, or goes on in another direction.
+    /// Whether the load path begins with the step `index`, or goes on in another direction; each load is measured by its largest change in a step.
     fn turns(&self, index: usize) -> bool {
-        let at =
-            |count: usize, case: usize| count.checked_sub(1).map_or(0.0, |k| self.steps[k][case]);
+        let change = |step: usize, case: usize| {
+            let before = step
+                .checked_sub(1)
+                .map_or(0.0, |before| self.steps[before][case]);
+            self.steps[step][case] - before
+        };
         let (mut product, mut own, mut before) = (0.0, 0.0, 0.0);
         for case in 0..self.steps[index].len() {
-            let change = at(index + 1, case) - at(index, case);
-            let last = at(index, case) - at(index.saturating_sub(1), case);
-            product += change * last;
-            own += change * change;
+            let changes = (0..self.steps.len()).map(|step| change(step, case).abs());
+            let largest = changes.fold(0.0, f64::max);
+            if largest == 0.0 {
+                continue;
+            }
+            let now = change(index, case) / largest;
+            let last = index
+                .checked_sub(1)
+                .map_or(0.0, |last| change(last, case) / largest);
+            product += now * last;
+            own += now * now;
             before += last * last;
         }
-        product <= STRAIGHT * (own * before).sqrt()
+        own > 0.0 && product <= STRAIGHT * (own * before).sqrt()
     }
 
     fn problem_otherwise(
@@ -224,7 +237,10 @@ impl LoadHistory {
                 if record.cutbacks > 0 && record.increments <= MANY {
                     found.finer = again().by(solver, solver.name(), 2 * record.increments);
                 } else if record.increments < DIVIDED && self.turns(index) {
-                    found.path = Some(again().in_more(solver, &mut effort_on_path));
+                    match again().in_more(solver, &mut effort_on_path) {
+                        Ok(difference) => found.path = Some(difference),
+                        Err(missing) => found.path_missing = Some(missing),
+                    }
                 }
                 if record.cutbacks > 0 || may_have_several(course.problem, record, estimate) {
                     match again().by_another(&mut effort) {

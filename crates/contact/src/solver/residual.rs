@@ -48,6 +48,9 @@ fn worst(start: f64, values: impl IntoIterator<Item = f64>) -> f64 {
     })
 }
 
+/// Part of the local give of points that gaps and slips are at least measured by: rounding is far below.
+const GIVE: f64 = 1e-2;
+
 /// Scales of force and length of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scales {
@@ -68,7 +71,7 @@ impl Scales {
             .iter()
             .fold(0.0, |largest: f64, point| largest.max(point.gap.abs()));
         // Where all points stick, what moves is rounding, and no scale.
-        let give = step.problem.largest_give() * forces.amax();
+        let give = GIVE * step.problem.local_give() * forces.amax();
         let length = motion
             .amax()
             .max(give)

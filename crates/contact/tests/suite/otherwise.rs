@@ -81,7 +81,7 @@ fn a_cut_back_is_measured() {
     );
 }
 
-/// Below the bound of uniqueness nothing is asked.
+/// Below the bound of uniqueness no other solver is asked; steps in which the load path begins or turns are compared with four increments.
 #[test]
 fn nothing_is_asked_where_the_answer_is_one() {
     let (records, otherwise) = walk(&SemismoothNewton::default());
@@ -90,5 +90,43 @@ fn nothing_is_asked_where_the_answer_is_one() {
             .iter()
             .all(|record| record.cutbacks == 0 && record.coefficient > 0.0)
     );
-    assert_eq!(otherwise, vec![Otherwise::default(); 2]);
+    for own in &otherwise {
+        let path = own.path.unwrap();
+        assert_eq!((path.increments, path.solver), (4, "semismooth Newton"));
+        let path = Otherwise { path: None, ..*own };
+        assert_eq!(path, Otherwise::default());
+    }
+    let expected = peak_in(&SemismoothNewton::default(), 4) / peak(&records) - 1.0;
+    let found = otherwise[1].path.unwrap().peak_pressure;
+    assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+}
+
+/// A step that goes on in the direction of the one before, in any units, one that holds, and one of many increments are not compared; one that turns back is.
+#[test]
+fn load_paths_are_compared_where_they_turn() {
+    let compared = |steps: &[[f64; 2]], substeps: usize, unit: f64| -> Vec<bool> {
+        let problem = disk(1.0, 1.0);
+        let scaled = steps.iter().map(|step| step.to_vec()).collect();
+        let history = LoadHistory::new(scaled, substeps, Ramp::Linear).unwrap();
+        let solver = SemismoothNewton::default();
+        let records = history.follow(&problem, &solver, |_| {}).unwrap();
+        // The other unit of the second load changes nothing but its numbers.
+        let other: Vec<Vec<f64>> = steps.iter().map(|[a, b]| vec![*a, unit * b]).collect();
+        let other = LoadHistory::new(other, substeps, Ramp::Linear).unwrap();
+        let ways = other.walked_otherwise(&problem.into(), &Kinematics::Small, &solver, &records);
+        let asked = |own: &Otherwise| own.path.is_some() || own.path_missing.is_some();
+        ways.iter().map(asked).collect()
+    };
+    let on = [
+        [-1.0, 0.0],
+        [-2.0, 0.0],
+        [-2.0, 0.0],
+        [-3.0, 0.0],
+        [-2.0, 0.0],
+    ];
+    assert_eq!(compared(&on, 1, 1.0), [true, false, false, true, true]);
+    assert_eq!(compared(&on, 8, 1.0), [false; 5]);
+    let turned = [[-2.0, 0.1], [-2.5, -0.1]];
+    assert_eq!(compared(&turned, 1, 1.0), [true, true]);
+    assert_eq!(compared(&turned, 1, 1e-3), [true, true]);
 }

@@ -111,7 +111,9 @@ impl Contacts {
             }
         };
         let bodies = [first.body, second.body];
-        for (side, nodes) in [(first, Some(&upper)), (second, lower.as_ref())] {
+        let open = matches!(geometry, Geometry::Open(_));
+        let sides = [(first, Some(&upper)), (second, lower.as_ref())];
+        for (side, nodes) in sides.into_iter().filter(|_| open) {
             let known = &self.interfaces[side.body];
             let shared = nodes.map_or(0, |nodes| shared(known, &nodes.nodes));
             // A corner between two edges is one node.

@@ -121,7 +121,7 @@ fn cut_back(steps: &[StepResults]) -> Option<Finding> {
 
 /// Where more increments change tractions by more than a part of the largest pressure.
 fn coarse_path(steps: &[StepResults]) -> Option<Finding> {
-    let finer = |step: &StepResults| step.notes.otherwise.path?.ok();
+    let finer = |step: &StepResults| step.notes.otherwise.path;
     let which = steps_where(steps, |step| {
         finer(step).is_some_and(|finer| finer.traction > COARSE)
     })?;
@@ -136,9 +136,7 @@ fn coarse_path(steps: &[StepResults]) -> Option<Finding> {
 }
 
 fn path_unchecked(steps: &[StepResults]) -> Option<Finding> {
-    let steps = steps_where(steps, |step| {
-        matches!(step.notes.otherwise.path, Some(Err(_)))
-    })?;
+    let steps = steps_where(steps, |step| step.notes.otherwise.path_missing.is_some())?;
     Some(Finding::LoadPathUnchecked { steps })
 }
 
@@ -244,6 +242,15 @@ pub(super) fn of_ripples(model: &Model, solved: &Solved) -> Vec<Finding> {
             let give = |&node: &usize| own[2 * node] + own[2 * node + 1];
             Some(nodes.iter().map(give).sum::<f64>() / nodes.len() as f64)
         };
+        // What a body gives on springs is their motion, not its own.
+        let is_sprung = |body: usize| {
+            model.bodies[body]
+                .elastic()
+                .is_some_and(|body| body.is_sprung())
+        };
+        if is_sprung(pair.first) || is_sprung(pair.second) {
+            return None;
+        }
         let stiffer = gives(pair.second, &sides[1])? / gives(pair.first, &sides[0])?;
         let nodes = sides.map(|nodes| nodes.len());
         (nodes[0] > nodes[1] && stiffer > STIFFER).then(|| {

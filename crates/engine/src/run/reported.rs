@@ -39,14 +39,20 @@ pub(super) struct Reported {
 /// All load steps of `records` without rounding.
 pub(super) fn reported(interface: &Interface, records: &[StepRecord]) -> Vec<Reported> {
     let contacts = interface.contacts();
-    let groups = || interface.parts().iter().map(Part::group);
-    let cuts: Vec<Cut> = (0..contacts.pairs().len())
-        .map(|pair| {
-            let linked = groups().find(|group| group.pairs.contains(&pair));
-            let linked = linked.map_or(&[][..], |group| &group.pairs);
-            Cut::of(contacts, records, pair, linked)
-        })
+    let sizes: Vec<Sizes> = (0..contacts.pairs().len())
+        .map(|pair| Sizes::of(contacts, records, pair))
         .collect();
+    let mut cuts: Vec<Cut> = (0..sizes.len())
+        .map(|pair| sizes[pair].cut(contacts.pair_points(pair)))
+        .collect();
+    for group in interface.parts().iter().map(Part::group) {
+        let all = group.pairs.iter().map(|&pair| sizes[pair]);
+        let largest = all.fold(Sizes::default(), Sizes::larger);
+        for &pair in &group.pairs {
+            cuts[pair].force = cuts[pair].force.max(REST_OF_FORCES * largest.force);
+            cuts[pair].length = cuts[pair].length.max(REST_OF_LENGTHS * largest.length);
+        }
+    }
     let mut slip = DVector::zeros(contacts.points().len());
     records
         .iter()
@@ -72,6 +78,40 @@ pub(super) fn reported(interface: &Interface, records: &[StepRecord]) -> Vec<Rep
         .collect()
 }
 
+/// The largest force and motion of a pair in the history.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sizes {
+    force: f64,
+    length: f64,
+}
+
+impl Sizes {
+    fn of(contacts: &Contacts, records: &[StepRecord], pair: usize) -> Self {
+        let points = contacts.pair_points(pair);
+        let size = |all: &DVector<f64>| all.rows(2 * points.start, 2 * points.len()).amax();
+        let all = records.iter().map(|record| Self {
+            force: size(&record.state.forces),
+            length: size(&record.state.motion),
+        });
+        all.fold(Self::default(), Self::larger)
+    }
+
+    fn larger(self, other: Self) -> Self {
+        Self {
+            force: self.force.max(other.force),
+            length: self.length.max(other.length),
+        }
+    }
+
+    fn cut(self, points: Range<usize>) -> Cut {
+        Cut {
+            points,
+            force: ROUNDING * self.force,
+            length: ROUNDING * self.length,
+        }
+    }
+}
+
 /// What is rounding at the points of a pair.
 #[derive(Debug)]
 struct Cut {
@@ -81,28 +121,6 @@ struct Cut {
 }
 
 impl Cut {
-    /// Of the pair `pair`, which bodies link with the pairs `linked`.
-    fn of(contacts: &Contacts, records: &[StepRecord], pair: usize, linked: &[usize]) -> Self {
-        let points = contacts.pair_points(pair);
-        let largest = |of: fn(&ContactState) -> &DVector<f64>, rest: f64| {
-            let values = records.iter().map(|record| of(&record.state));
-            let sizes = values.map(|all| {
-                let size = |pair: usize| {
-                    let points = contacts.pair_points(pair);
-                    all.rows(2 * points.start, 2 * points.len()).amax()
-                };
-                let beside = linked.iter().map(|&pair| size(pair)).fold(0.0, f64::max);
-                (ROUNDING * size(pair)).max(rest * beside)
-            });
-            sizes.fold(0.0, f64::max)
-        };
-        Self {
-            force: largest(|state| &state.forces, REST_OF_FORCES),
-            length: largest(|state| &state.motion, REST_OF_LENGTHS),
-            points,
-        }
-    }
-
     fn clean(&self, state: &mut ContactState) {
         let Self {
             points,

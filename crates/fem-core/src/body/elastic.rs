@@ -80,6 +80,11 @@ impl ElasticBody {
         self
     }
 
+    /// Whether springs lead to the ground.
+    pub fn is_sprung(&self) -> bool {
+        !self.springs.is_empty()
+    }
+
     /// Glues nodes to a rigid platen.
     #[must_use]
     pub fn with_platen(mut self, platen: Platen) -> Self {

@@ -69,6 +69,7 @@ impl MeshError {
 pub fn coarser(own: &SpecimenScene) -> SpecimenScene {
     let mut scene = own.scene.as_ref().clone();
     scene.mesh = scene.mesh.coarser();
+    scene.mesh_by_lengths = scene.mesh_by_lengths.as_ref().map(MeshSettings::coarser);
     for body in scene.bodies.values_mut() {
         body.mesh = body.mesh.as_ref().map(MeshSettings::coarser);
     }

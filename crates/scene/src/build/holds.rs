@@ -154,9 +154,10 @@ impl Builder<'_> {
     }
 
     /// Refuses springs where a support holds the same set along the same axis, which then carries all.
-    pub(super) fn springs_act(&mut self, supports: &[Support], springs: &[SpringSupport]) {
+    fn springs_act(&mut self, supports: &[Support], springs: &[SpringSupport]) {
         for own in springs {
-            let held = supports.iter().filter(|other| other.on == own.on);
+            let at_rest = |other: &&Support| other.on == own.on && other.displacement == 0.0;
+            let held = supports.iter().filter(at_rest);
             let held: Vec<[f64; 2]> = held.flat_map(|other| other.hold.directions()).collect();
             if own
                 .hold

@@ -19,6 +19,9 @@ thickness = "3 mm"
 [bodies.plate.shape.outline]
 start = ["-40 mm", "-12 mm"]
 edges = [{ name = "bottom", to = ["114 mm", "-12 mm"] }, { name = "right", to = ["114 mm", "32 mm"] }, { name = "top", to = ["-40 mm", "32 mm"] }, { name = "left" }]
+[[supports]]
+on = "plate.bottom"
+fix = ["y"]
 [[loads]]
 name = "pull"
 on = "plate.left"
@@ -44,7 +47,7 @@ second = "bolt.rim"
 friction.coulomb = { mu = 0.2 }
 [[supports]]
 on = "bolt.section"
-fix = ["x", "y"]
+fix = ["x"]
 [[loads]]
 name = "aside"
 on = "bolt.section"
@@ -80,7 +83,7 @@ second = "bolt_{name}.rim"
 friction.coulomb = {{ mu = 0.2 }}
 [[supports]]
 on = "bolt_{name}.section"
-fix = ["x", "y"]
+fix = ["x"]
 [[loads]]
 name = "aside_{name}"
 on = "bolt_{name}.section"
@@ -172,7 +175,7 @@ pressure.steps = ["1 MPa"]
     let edge = scene.bodies["plate"].shape.edge("end_1_2").unwrap();
     assert!(edge.curve.path().unwrap().at(0.0)[0] > 33.0);
     assert_eq!(scene.bodies["stud_1_2"].position, [30.0, 60.0]);
-    assert_eq!(scene.supports[1].on.to_string(), "plate.back_1_2");
+    assert_eq!(scene.supports[2].on.to_string(), "plate.back_1_2");
     assert_eq!(scene.loads.len(), 3);
 }
 

@@ -11,7 +11,7 @@ fn unknown_keys() {
     assert_eq!(message, "unknown key 'thicknes'");
     assert_eq!(
         help,
-        "did you mean 'thickness'? known keys here: material, rigid, thickness, shape, position, angle, model, mesh"
+        "did you mean 'thickness'? known keys here: material, rigid, thickness, shape, position, angle, model, mesh, pattern"
     );
     assert_eq!((line, shown.as_str()), (8, "thicknes"));
     let (message, _, line, _) = refused("[mesh]", "[mesh]\nquality = 3");
@@ -199,7 +199,7 @@ fn supports_and_loads() {
     let (message, help, line, _) = refused("on = \"plate.left\"", "on = \"plate.far\"");
     assert_eq!(
         message,
-        "'plate' (plate_with_hole) has no edge or area 'far'"
+        "'plate' (plate_with_hole) has no edge, point or area 'far'"
     );
     assert!(help.contains("plate.left, plate.right"), "{help}");
     assert_eq!(line, 26);

@@ -195,7 +195,7 @@ fn contacts_supports_and_loads() {
         "on = \"plate.end\"",
         &[
             "bad.toml:27:6",
-            "no edge or area 'end'",
+            "no edge, point or area 'end'",
             "plate.hole, plate.left",
         ],
     );

@@ -230,11 +230,11 @@ fn a_mesh_that_was_written_gives_the_same_numbers() {
     let msh = stickslip_mesh_files::write_msh(mesh).unwrap();
     let inp = stickslip_mesh_files::write_inp(mesh, state).unwrap();
     // Neither forces nor springs are shared by the nodes of a set.
-    let pads = format!("{inp}*NSET, NSET=pads\n1, 2, 3\n");
+    let pads = format!("{inp}*NSET, NSET=pads\n1, 500, 900\n");
     fs::write(folder.path().join("pads.inp"), pads).unwrap();
     let text = pinned(r#"mesh = { file = "pads.inp", unit = "mm" }"#);
     let on_pads = text.replace("on = \"plate.left\"", "on = \"plate.pads\"");
-    let refused = read(&on_pads, folder.path()).unwrap_err();
+    let refused = read(&on_pads, folder.path()).err().unwrap_or_default();
     assert!(
         refused.contains("plate.pads is a set of 3 nodes"),
         "{refused}"

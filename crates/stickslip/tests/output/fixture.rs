@@ -254,6 +254,7 @@ fn notes() -> StepNotes {
             }),
             finer: None,
             path: None,
+            path_missing: None,
             missing: None,
         },
         friction: 0.5,

@@ -15,6 +15,8 @@ use crate::model::{EdgeEnd, Meshes};
 
 /// Angle by which an outline turns at least where it has a corner `[rad]`.
 const TURN: f64 = PI / 18.0;
+/// Angle of a wedge that sticks to a rigid body up to which stress at its corner is bounded, about 60° at ν = 0.3 (Williams 1952, one side held) `[rad]`.
+const STICKING: f64 = PI / 3.0;
 /// Part of the edge's length by which two places differ that are the same.
 const SAME: f64 = 1e-6;
 
@@ -48,34 +50,66 @@ pub(super) fn of(
         }
         let angle = |side: &Side<'_>| side.angle(plan, meshes, end);
         let sides = [(&first, own, &second), (&second, other, &first)];
+        // The angle of a body that ends there in a corner, and the least one from which on its pressure has no bound against the other.
         let corners = sides.map(|(side, at, against)| {
             let angle = (at <= inner + same).then(|| angle(side)).flatten();
-            // A wedge on a smooth rigid line is half of twice its angle.
-            let is_smooth = plan.is_rigid(against.placed.body) && !has_friction;
-            let least = if is_smooth { FRAC_PI_2 + TURN } else { 0.0 };
-            angle.is_some_and(|angle| angle < PI - TURN && angle > least)
+            let corner = angle.filter(|angle| *angle < PI - TURN)?;
+            let is_rigid = plan.is_rigid(against.placed.body);
+            let is_held = side.is_held(plan, meshes, end);
+            let least = match (is_rigid, has_friction) {
+                // A wedge on a smooth rigid line is half of twice its angle.
+                (true, false) => FRAC_PI_2 + TURN,
+                (true, true) => STICKING,
+                (false, _) => 0.0,
+            };
+            Some((corner, corner > least && !is_held))
         });
         match corners {
-            [true, true] => EdgeEnd::Free,
-            [false, false] => EdgeEnd::GoesOn,
-            _ => EdgeEnd::Corner,
+            [None, None] => EdgeEnd::GoesOn,
+            [Some((_, true)), None] | [None, Some((_, true))] => EdgeEnd::Corner,
+            [Some((one, _)), Some((other, _))] if has_friction && one + other > PI + TURN => {
+                EdgeEnd::Corner
+            }
+            _ => EdgeEnd::Free,
         }
     })
 }
 
 impl Side<'_> {
+    /// Whether a support of another edge holds the corner at the end `end`, as on a line of symmetry, so that it is none of the whole body.
+    fn is_held(&self, plan: &Plan<'_>, meshes: &Meshes, end: usize) -> bool {
+        let Some(mesh) = meshes.get(&self.placed.body) else {
+            return false;
+        };
+        let Some(node) = self.node(meshes, end) else {
+            return false;
+        };
+        let mut supports = plan.supports_of(self.placed.body);
+        supports.any(|support| {
+            let nodes = mesh.node_set(&support.on.set);
+            nodes.is_ok_and(|nodes| nodes.contains(&node))
+        })
+    }
+
+    /// The node of an elastic body at the end `end`.
+    fn node(&self, meshes: &Meshes, end: usize) -> Option<usize> {
+        let mesh = meshes.get(&self.placed.body)?;
+        let path = mesh.edge_path(&self.placed.of.set).ok()?;
+        let is_first = (end == 0) != self.is_reversed;
+        let node = if is_first {
+            path.nodes.first()
+        } else {
+            path.nodes.last()
+        };
+        node.copied()
+    }
+
     /// The angle of the body at the end `end` of the reach `[rad]`.
     fn angle(&self, plan: &Plan<'_>, meshes: &Meshes, end: usize) -> Option<f64> {
         let is_first = (end == 0) != self.is_reversed;
         if !plan.is_rigid(self.placed.body) {
-            let mesh = &meshes[&self.placed.body];
-            let path = mesh.edge_path(&self.placed.of.set).ok()?;
-            let node = if is_first {
-                path.nodes.first()
-            } else {
-                path.nodes.last()
-            };
-            return node.map(|&node| mesh.angle_at(node));
+            let mesh = meshes.get(&self.placed.body)?;
+            return Some(mesh.angle_at(self.node(meshes, end)?));
         }
         let body = &plan.bodies[self.placed.body];
         let edges = body.shape.edges();

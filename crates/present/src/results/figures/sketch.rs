@@ -18,12 +18,14 @@ const MARGIN: f64 = 0.13;
 const ARROW: f64 = 0.1;
 /// Marks along an edge that is held.
 const HELD_MARKS: usize = 12;
-/// Colours of bodies, edges in contact, supports and loads.
-const COLORS: [Color; 4] = [
+/// Colours of bodies, edges in contact, supports, loads, springs and platens.
+const COLORS: [Color; 6] = [
     Color::rgb(0x6b, 0x73, 0x7c),
     Color::rgb(0xd5, 0x5e, 0x00),
     Color::rgb(0x00, 0x9e, 0x73),
     Color::rgb(0x00, 0x72, 0xb2),
+    Color::rgb(0xcc, 0x79, 0xa7),
+    Color::rgb(0xb8, 0x86, 0x0b),
 ];
 
 /// A body of a sketch: its name and its mesh; `None` for a rigid one.
@@ -84,11 +86,20 @@ pub fn sketch(
         marks("edges in contact", COLORS[1]),
         marks("held", COLORS[2]),
         marks("loads", COLORS[3]),
+        marks("on springs", COLORS[4]),
+        marks("platens", COLORS[5]),
     ];
-    let [bodies_drawn, contacts, held, loads] = &mut kinds;
+    let [bodies_drawn, contacts, held, loads, springs, platens] = &mut kinds;
     bodies_drawn.paths = own.outlines();
     contacts.paths = own.contacts();
-    held.points = own.supports();
+    let gives = |support: &Value| {
+        ["stiffness", "bed"]
+            .iter()
+            .any(|key| support.get(key).is_some())
+    };
+    held.points = own.held("supports", |support| !gives(support));
+    springs.points = own.held("supports", gives);
+    platens.points = own.held("platens", |_| true);
     loads.paths = own.loads(ARROW * size);
     let kinds = kinds.into_iter();
     plot.marks = kinds
@@ -166,8 +177,8 @@ impl Sketch<'_> {
         self.list("contacts").filter_map(first).collect()
     }
 
-    /// Places along edges and points that are held; an area is marked at its middle.
-    fn supports(&self) -> Vec<Point> {
+    /// Places along edges and points that the entries `chosen` of a list hold; an area is marked at its middle.
+    fn held(&self, list: &str, chosen: impl Fn(&Value) -> bool) -> Vec<Point> {
         let of_support = |support: &Value| {
             let on = support.get("on")?.as_str()?;
             Some(match self.places(on) {
@@ -176,7 +187,7 @@ impl Sketch<'_> {
                 None => vec![self.middle(on)?],
             })
         };
-        let all = self.list("supports").chain(self.list("platens"));
+        let all = self.list(list).filter(|own| chosen(own));
         all.filter_map(of_support).flatten().collect()
     }
 
@@ -193,7 +204,12 @@ impl Sketch<'_> {
         let of_load = |load: &Value| {
             let on = load.get("on")?.as_str()?;
             let (places, is_edge) = self.places(on).unwrap_or_default();
-            let at = (along(&places, 3).get(1).copied()).or_else(|| self.middle(on))?;
+            let at = if is_edge {
+                along(&places, 3).get(1).copied()
+            } else {
+                places.first().copied()
+            };
+            let at = at.or_else(|| self.middle(on))?;
             let kinds = ["force", "bearing"];
             let given = kinds
                 .iter()

@@ -65,6 +65,37 @@ fn corners_that_press_have_no_limit() {
     assert_eq!(ends(&solved(&same, &[])), (0, false));
 }
 
+/// Half a block on a wide rigid floor: its corner has a bounded pressure on a smooth floor, and is none of the whole body where it lies on the line of symmetry.
+#[test]
+fn corners_whose_pressure_is_bounded_are_none() {
+    let floor = r#"[bodies.lower]
+rigid = true
+shape.outline = { start = ["-40 mm", "-6 mm"], edges = [{ name = "bottom", to = ["40 mm", "-6 mm"] }, { name = "right", to = ["40 mm", "0 mm"] }, { name = "face", to = ["-40 mm", "0 mm"] }, { name = "left" }] }
+"#;
+    let text = stacked("", r#"{ name = "face", to = ["10 mm", "0 mm"] }"#);
+    let (head, tail) = text.split_once("[bodies.lower]").unwrap();
+    let (_, upper) = tail.split_once("[bodies.upper]").unwrap();
+    let (upper, _) = upper.split_once("[[supports]]").unwrap();
+    let rest = r#"[[supports]]
+on = "upper.left"
+fix = ["x"]
+[[loads]]
+on = "upper.top"
+pressure.steps = ["5 MPa"]
+"#;
+    let text = format!("{head}{floor}[bodies.upper]{upper}{rest}");
+    let smooth = solved(&text, &[]);
+    assert_eq!(ends(&smooth), (0, false));
+    for row in &edge(&smooth, 0).rows {
+        close(row.pressure, 5.0, 1e-9);
+    }
+    // With friction the free corner alone has none; the other is on the line of symmetry.
+    assert_eq!(
+        ends(&solved(&text, &["contacts.0.friction.coulomb.mu=0.3"])),
+        (1, false)
+    );
+}
+
 #[test]
 fn no_error_is_stated_for_what_has_no_limit() {
     let results = solved(&square(), &["analysis.accuracy=\"5 %\""]);
