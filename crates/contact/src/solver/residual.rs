@@ -49,7 +49,7 @@ fn worst(start: f64, values: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// Part of the local give of points that gaps and slips are at least measured by: rounding is far below.
-const GIVE: f64 = 1e-2;
+const GIVE: f64 = 0.1;
 
 /// Scales of force and length of a step.
 #[derive(Clone, Copy, Debug)]

@@ -21,6 +21,9 @@ use crate::results::{BearingSource, ContactFrame, EdgeKind};
 use stickslip_scene::schema::{self, Hold, Load, LoadKind, SetRef};
 use stickslip_scene::shape::Edge;
 
+/// Part of the body's modulus times its thickness that springs on it are at least as stiff as.
+const SOFTEST: f64 = 1e-9;
+
 /// Multipliers of all load cases per step: one case per load, and one that holds the displacements of supports.
 pub(super) fn history(plan: &Plan<'_>) -> Result<LoadHistory, ModelError> {
     let histories = || plan.loads.iter().map(|load| load.of.kind.steps());
@@ -83,6 +86,7 @@ impl Loaded<'_> {
         let supports = self.supports().map_err(mesh_error)?;
         let springs = springs::of_body(self.plan, self.index, self.mesh, self.thickness);
         let springs = springs.map_err(mesh_error)?;
+        self.springs_are_stiff_enough()?;
         let mut body = ElasticBody::new(Arc::clone(self.mesh), blocks, self.thickness)
             .map_err(body_error)?
             .with_supports(supports)
@@ -220,6 +224,35 @@ impl Loaded<'_> {
             }
             LoadKind::Temperature { .. } => Vec::new(),
         })
+    }
+
+    /// Refuses springs so soft that rounding leaves no digits of the body beside their motion.
+    fn springs_are_stiff_enough(&self) -> Result<(), ModelError> {
+        let own = self
+            .plan
+            .springs
+            .iter()
+            .filter(|own| own.body == self.index);
+        for springs in own.map(|own| own.of) {
+            let mesh_error = |cause| ModelError::Mesh {
+                body: springs.on.body.clone(),
+                cause,
+            };
+            let stiffness =
+                springs::whole(self.mesh, springs, self.thickness).map_err(mesh_error)?;
+            let least = SOFTEST * self.material.stiffness()[0][0] * self.thickness;
+            if stiffness < least {
+                return Err(ModelError::Unsupported {
+                    key: format!("supports.{}.on", springs.index),
+                    what: format!(
+                        "springs on {} of {stiffness:.1e} N/mm in all are softer than {least:.1e} N/mm, a part of {SOFTEST:.0e} of the body's modulus times its thickness: rounding of \
+                         their motion would leave no digits of the body; make them stiffer",
+                        springs.on
+                    ),
+                });
+            }
+        }
+        Ok(())
     }
 
     /// A unit force along `direction`, spread evenly over the body's area.

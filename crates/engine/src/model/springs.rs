@@ -71,11 +71,29 @@ pub(super) fn mean(
         }
         Err(_) => (vec![(node(mesh, on)?, direction)], 1.0),
     };
-    let stiffness = match springs.stiffness {
+    Ok((weights, total(springs, area)))
+}
+
+/// Stiffness of all springs of a support `[N/mm]`.
+pub(super) fn whole(
+    mesh: &Mesh,
+    springs: &SpringSupport,
+    thickness: f64,
+) -> Result<f64, MeshError> {
+    let is_edge = mesh.edge_set(&springs.on.set).is_ok();
+    let area = if is_edge {
+        area(mesh, &springs.on, thickness)?
+    } else {
+        1.0
+    };
+    Ok(total(springs, area))
+}
+
+fn total(springs: &SpringSupport, area: f64) -> f64 {
+    match springs.stiffness {
         SpringSize::Whole(stiffness) => stiffness,
         SpringSize::Bed(bed) => bed * area,
-    };
-    Ok((weights, stiffness))
+    }
 }
 
 /// Area of an edge `[mm²]`.

@@ -221,4 +221,8 @@ fn springs_that_cannot_be_are_refused() {
             solved.map(|_| ()).map_err(|error| error.to_string())
         });
     assert!(refused.unwrap_err().contains("no spring on its body"));
+    // Beside the motion on springs as soft as these no digits of the body are left.
+    let soft = scene(BLOCK, &["supports.0.bed=\"1e-8 MPa/mm\""]);
+    let refused = Model::build(&soft).map(|_| ()).unwrap_err().to_string();
+    assert!(refused.contains("make them stiffer"), "{refused}");
 }
