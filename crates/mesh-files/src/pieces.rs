@@ -27,7 +27,7 @@ pub struct Piece {
 
 /// Divides an open chain into lines and arcs, from its beginning; arguments as of [`recognise`]. None if a piece has fewer than three edges on average.
 ///
-/// A piece is as long as its nodes are off it by no more than ten times what those of its first four edges are, or 1e-9 of its radius or length: a flat arc that goes on as its
+/// A piece is as long as its nodes are off it by no more than ten times what those of its first edges are, four at least, or 1e-9 of its radius or length: a flat arc that goes on as its
 /// tangent leaves the tolerance of [`recognise`] late.
 pub fn recognise_pieces(mesh_nodes: &[Point], walk: &[usize], order: usize) -> Option<Vec<Piece>> {
     let edges = walk.len().checked_sub(1)?.checked_div(order)?;
@@ -56,11 +56,16 @@ fn longest(
         let found = recognise(mesh_nodes, walk.get(nodes)?, false, order)?;
         Some((to, found))
     };
-    let sample = from + SAMPLE;
-    let first = (sample <= end).then(|| up_to(sample)).flatten();
+    // Flat arcs are none before they turn by a degree, and what they end at must not be passed over.
+    let next = |count: &usize| Some(count + (count / 64).max(1));
+    let counts = std::iter::successors(Some(SAMPLE), next);
+    let mut samples = counts.map(|count| from + count).take_while(|to| *to <= end);
+    let first = samples.find_map(up_to);
     let best = match first {
-        None => (from + 1..sample.min(end + 1)).rev().find_map(up_to)?,
-        Some((_, known)) => {
+        None => (from + 1..(from + SAMPLE).min(end + 1))
+            .rev()
+            .find_map(up_to)?,
+        Some((sample, known)) => {
             let near = |to: usize| {
                 let (_, found) = up_to(to)?;
                 let rounding = match found.curve {

@@ -77,6 +77,9 @@ shape.outline = { start = ["-40 mm", "-6 mm"], edges = [{ name = "bottom", to = 
     let (_, upper) = tail.split_once("[bodies.upper]").unwrap();
     let (upper, _) = upper.split_once("[[supports]]").unwrap();
     let rest = r#"[[supports]]
+on = "lower.bottom"
+fix = ["x", "y"]
+[[supports]]
 on = "upper.left"
 fix = ["x"]
 [[loads]]
