@@ -34,9 +34,9 @@ use crate::document::child;
 use crate::units::{Length, Quantity};
 
 const NAME: &str = "outline";
-/// Cells along an edge may be a thousandth of those inside, which still is a mesh of some thousand cells.
-const REFINED: Range = numbers(" 1 to 1000", "1 to 1000", |value| {
-    (1.0..=1000.0).contains(&value)
+/// Around a corner cells may be a millionth of those inside and still be few.
+const REFINED: Range = numbers(" 1 to 1e6", "1 to 1e6", |value| {
+    (1.0..=1e6).contains(&value)
 });
 
 pub(super) const MEANING: &str = "lines and arcs around a body, with cut-outs and circular holes anywhere in it; edges, holes and points as they are named; areas `section`";
