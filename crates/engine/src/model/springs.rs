@@ -23,13 +23,7 @@ pub(super) fn of_body(
         ..
     } in own.map(|own| own.of)
     {
-        let (site, area) = match mesh.edge_set(&on.set) {
-            Ok(set) => {
-                let area = area(mesh, on, thickness)?;
-                (SpringSite::Edges(set.edges.clone()), area)
-            }
-            Err(_) => (SpringSite::Node(node(mesh, on)?), 1.0),
-        };
+        let (site, area) = site(mesh, on, thickness)?;
         let stiffness = match *stiffness {
             SpringSize::Whole(stiffness) => stiffness / area,
             SpringSize::Bed(bed) => bed,
@@ -60,16 +54,16 @@ pub(super) fn mean(
     direction: [f64; 2],
 ) -> Result<(NodeWeights, f64), MeshError> {
     let (mesh, thickness, on) = (body.mesh(), body.thickness(), &springs.on);
-    let (weights, area) = match mesh.edge_set(&on.set) {
-        Ok(set) => {
-            let area = area(mesh, on, thickness)?;
-            let parts = edge_load(mesh, &set.edges, thickness, |_| direction);
+    let (site, area) = site(mesh, on, thickness)?;
+    let weights = match site {
+        SpringSite::Edges(edges) => {
+            let parts = edge_load(mesh, &edges, thickness, |_| direction);
             let parts = parts.chunks_exact(2).enumerate();
             let own = parts.filter(|(_, part)| *part != [0.0; 2]);
             let own = own.map(|(node, part)| (node, [part[0] / area, part[1] / area]));
-            (own.collect(), area)
+            own.collect()
         }
-        Err(_) => (vec![(node(mesh, on)?, direction)], 1.0),
+        SpringSite::Node(node) => vec![(node, direction)],
     };
     Ok((weights, total(springs, area)))
 }
@@ -80,12 +74,7 @@ pub(super) fn whole(
     springs: &SpringSupport,
     thickness: f64,
 ) -> Result<f64, MeshError> {
-    let is_edge = mesh.edge_set(&springs.on.set).is_ok();
-    let area = if is_edge {
-        area(mesh, &springs.on, thickness)?
-    } else {
-        1.0
-    };
+    let (_, area) = site(mesh, &springs.on, thickness)?;
     Ok(total(springs, area))
 }
 
@@ -96,18 +85,16 @@ fn total(springs: &SpringSupport, area: f64) -> f64 {
     }
 }
 
-/// Area of an edge `[mm²]`.
-fn area(mesh: &Mesh, on: &SetRef, thickness: f64) -> Result<f64, MeshError> {
-    let edges = &mesh.edge_set(&on.set)?.edges;
-    Ok(edge_load(mesh, edges, thickness, |_| [1.0, 0.0])
-        .iter()
-        .sum())
-}
-
-/// The node of a point.
-fn node(mesh: &Mesh, on: &SetRef) -> Result<usize, MeshError> {
+/// Where springs stand, and the area of an edge `[mm²]`, 1 of a point.
+fn site(mesh: &Mesh, on: &SetRef, thickness: f64) -> Result<(SpringSite, f64), MeshError> {
+    if let Ok(set) = mesh.edge_set(&on.set) {
+        let along_x = edge_load(mesh, &set.edges, thickness, |_| [1.0, 0.0]);
+        return Ok((SpringSite::Edges(set.edges.clone()), along_x.iter().sum()));
+    }
     let nodes = mesh.node_set(&on.set)?;
-    nodes.first().copied().ok_or_else(|| MeshError::EmptySet {
+    let empty = || MeshError::EmptySet {
         set: on.set.clone(),
-    })
+    };
+    let node = nodes.first().copied().ok_or_else(empty)?;
+    Ok((SpringSite::Node(node), 1.0))
 }
