@@ -394,6 +394,12 @@ impl InterfaceProblem {
         self.case_motion.len()
     }
 
+    /// Whether the load case `case` moves contact points, or acts on rigid motions.
+    pub(crate) fn is_moved_by(&self, case: usize) -> bool {
+        let acts = |own: &DVector<f64>| own.iter().any(|value| *value != 0.0);
+        acts(&self.case_motion[case]) || acts(&self.case_mode_load[case])
+    }
+
     /// Relative motion Σ m_k d_k `[length]` of the points by the loads alone, 2n.
     pub fn load_motion(&self, multipliers: &[f64]) -> DVector<f64> {
         combine(&self.case_motion, multipliers, 2 * self.points().len())

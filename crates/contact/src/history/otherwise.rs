@@ -174,8 +174,9 @@ impl LoadHistory {
         all
     }
 
-    /// Whether the load path begins with the step `index`, or goes on in another direction; each load is measured by its largest change in a step.
-    fn turns(&self, index: usize) -> bool {
+    /// Whether the path of the loads that act on `problem` begins with the step `index`, or goes on in another direction; each load is measured by its largest change in
+    /// a step.
+    fn turns(&self, problem: &InterfaceProblem, index: usize) -> bool {
         let change = |step: usize, case: usize| {
             let before = step
                 .checked_sub(1)
@@ -183,7 +184,8 @@ impl LoadHistory {
             self.steps[step][case] - before
         };
         let (mut product, mut own, mut before) = (0.0, 0.0, 0.0);
-        for case in 0..self.steps[index].len() {
+        let cases = 0..self.steps[index].len();
+        for case in cases.filter(|&case| problem.is_moved_by(case)) {
             let changes = (0..self.steps.len()).map(|step| change(step, case).abs());
             let largest = changes.fold(0.0, f64::max);
             if largest == 0.0 {
@@ -236,7 +238,7 @@ impl LoadHistory {
             if record.coefficient > 0.0 {
                 if record.cutbacks > 0 && record.increments <= MANY {
                     found.finer = again().by(solver, solver.name(), 2 * record.increments);
-                } else if record.increments < DIVIDED && self.turns(index) {
+                } else if record.increments < DIVIDED && self.turns(course.problem, index) {
                     match again().in_more(solver, &mut effort_on_path) {
                         Ok(difference) => found.path = Some(difference),
                         Err(missing) => found.path_missing = Some(missing),
