@@ -144,7 +144,7 @@ impl OpenPair {
         self.centred(self.first.nearest(moved))
     }
 
-    /// The place of the moved first edge that a point of the second faces, beyond the ends along the tangents there.
+    /// The place of the moved first edge that a point of the second faces; beyond the ends as far as the point is from what they face along the flatter edge.
     fn facing(&self, point: Point) -> f64 {
         if self.by_second {
             let normal = self.second.left(self.second.nearest(point));
@@ -152,6 +152,19 @@ impl OpenPair {
             let facing = crossings.filter(|&(_, s)| dot(self.first.left(s), normal) < -ASKEW);
             if let Some((_, s)) = facing.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())) {
                 return self.centred(s);
+            }
+            let own = self.second.nearest(point);
+            let length = self.first.length();
+            let ends = [0.0, length].map(|s| self.second.nearest(self.first.at(s)));
+            let away = ends.map(|end| (own - end).abs());
+            let lies_between = own > ends[0].min(ends[1]) && own < ends[0].max(ends[1]);
+            if !lies_between {
+                let is_before = away[0] < away[1];
+                return self.centred(if is_before {
+                    -away[0]
+                } else {
+                    length + away[1]
+                });
             }
         }
         let s = self.first.nearest(point);
@@ -272,7 +285,7 @@ impl OpenPair {
         (0..path.edges.len()).map(least).collect()
     }
 
-    /// The cells of the second edge that face the first one after another, around the nearest.
+    /// The cells of the second edge that face the first, in part at least, one after another around the nearest.
     fn facing_cells(&self, walked: &Walked<'_>) -> Option<Range<usize>> {
         let Walked { mesh, path, places } = walked;
         let half = 0.5 * self.extent();
@@ -285,7 +298,7 @@ impl OpenPair {
                 && (path.order != 2 || is_even(at))
                 && at[path.order] > -half
                 && at[0] < half
-                && points().all(|point| self.opposes(point));
+                && points().any(|point| self.opposes(point));
             let away = points().map(|point| {
                 let foot = self.first.at(self.first.nearest(point));
                 (point[0] - foot[0]).hypot(point[1] - foot[1])

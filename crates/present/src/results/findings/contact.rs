@@ -39,7 +39,7 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
         }
         ContactFinding::BeyondFacing { step, at } => format!(
             "Contact '{name}' reaches {} = {} in load step {step}, where its edges cease to face each other before the first one ends: contact beyond is not found. \
-             Let the second edge go on there, with cells well below the corner radius (refine): those that face the first edge in part only are left out. Or make it the first.",
+             Let the second edge go on there, or make it the first.",
             symbol(*at),
             shown(*at, units)
         ),

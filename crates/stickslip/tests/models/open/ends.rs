@@ -155,3 +155,32 @@ fn a_punch_of_a_file_is_that_of_its_outline() {
         );
     }
 }
+
+/// A punch with corners of 1 mm on cells of 3 mm, whose last cell under a corner faces it in part: wherever it stands, its flat touches whole.
+#[test]
+fn cells_that_face_an_edge_in_part_are_kept() {
+    let text = punch(
+        r#"start = ["-6 mm", "1 mm"]
+edges = [
+  { name = "face", to = ["-5 mm", "0 mm"], through = ["-5.70710678 mm", "0.29289322 mm"], refine = 60 },
+  { name = "face", to = ["5 mm", "0 mm"], refine = 20 },
+  { name = "face", to = ["6 mm", "1 mm"], through = ["5.70710678 mm", "0.29289322 mm"], refine = 60 },
+  { name = "right", to = ["6 mm", "15 mm"] },
+  { name = "top", to = ["-6 mm", "15 mm"] },
+  { name = "left" },
+]"#,
+    );
+    for x in [-16, -15, -14, 15] {
+        let place = format!(r#"bodies.punch.position=["{x} mm", "0 mm"]"#);
+        let cells = [
+            "mesh.spacing=\"3 mm\"",
+            "bodies.block.shape.outline.edges.3.refine=4.0",
+        ];
+        let results = solved(&text, &[&cells[..], &[place.as_str()]].concat());
+        assert_eq!(ends(&results), (0, false), "at {x}");
+        let pressed = edge(&results, 0);
+        close(pressed.contact_half_extent.unwrap(), 5.03, 0.01);
+        // 73.86 N on some 10 mm: 7.3 MPa on average, and some 20 times that where a part is lost.
+        assert!(pressed.peak_pressure.unwrap().0 < 150.0, "at {x}");
+    }
+}
