@@ -281,7 +281,7 @@ impl<'a> Iteration<'a> {
     }
 }
 
-/// Confirms the statuses of a `candidate` that is exact up to rounding or springs, correcting them where they are not.
+/// Confirms the statuses of a `candidate` that is exact up to rounding or springs, correcting them where they are not; where ties send the correction round, as they are.
 pub(super) fn confirm(
     candidate: &Candidate,
     attempt: &mut Attempt<'_>,
@@ -291,6 +291,7 @@ pub(super) fn confirm(
     let step = attempt.step;
     Iteration::starting_at(step, Rules::Projection, status, normal, &candidate.slip)
         .iterate(LIMIT, attempt)
+        .or_else(|cause| examine(candidate, attempt).map_err(|_| cause))
 }
 
 /// The state with the statuses of `candidate`, which is not expected to be a solution but may be.

@@ -283,3 +283,20 @@ proptest! {
         check(&step, &Pivoting::default(), &all).unwrap();
     }
 }
+
+/// A tie between a slip that begins and one that does not, on which pivoting went round.
+#[test]
+fn a_tie_of_statuses_is_solved() {
+    let numbers = [
+        0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.5, 1.0, -0.5,
+        -0.5, 0.5, 0.0, -1.0, -1.0, -1.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0,
+        0.0, 0.0, 0.0, 0.0, -0.5, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, -1.0,
+        -1.0,
+    ];
+    let mut numbers = numbers.into_iter().cycle();
+    let step = RandomStep::new(&mut || numbers.next().unwrap(), 0);
+    let all = step.conditions().enumerate();
+    check(&step, &Chain::default(), &all).unwrap();
+    check(&step, &Pivoting::default(), &all).unwrap();
+}
