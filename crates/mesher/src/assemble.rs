@@ -7,9 +7,11 @@ use stickslip_fem_core::mesh::{
 };
 
 use crate::edges::Origin;
+use crate::frame::Framed;
 use crate::plan::Plan;
 use crate::ring::{Ring, cut};
-use crate::triangulate::Refinement;
+use crate::symmetry::Mirror;
+use crate::triangulate::Triangles;
 use crate::vector::{along, distance, middle};
 use crate::{ContourError, Division};
 
@@ -23,7 +25,7 @@ struct Rim<'a> {
 }
 
 /// Corner nodes, triangles, and the boundary.
-struct Corners<'a> {
+pub(crate) struct Corners<'a> {
     points: Vec<Point>,
     triangles: Vec<[usize; 3]>,
     rims: Vec<Rim<'a>>,
@@ -32,11 +34,10 @@ struct Corners<'a> {
 /// Makes the mesh of at most `limit` nodes.
 pub(crate) fn assembled(
     plan: &Plan,
-    refinement: &Refinement<'_>,
+    mut corners: Corners<'_>,
     division: &Division,
     limit: usize,
 ) -> Result<Mesh, ContourError> {
-    let mut corners = Corners::new(plan, refinement);
     let mut edges: BTreeMap<[usize; 2], EdgeRef> = BTreeMap::new();
     for (element, &[a, b, c]) in corners.triangles.iter().enumerate() {
         for (edge, ends) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
@@ -113,40 +114,109 @@ fn moved(curve: Curve, by: Point) -> Curve {
 }
 
 impl<'a> Corners<'a> {
-    fn new(plan: &'a Plan, refinement: &Refinement<'_>) -> Self {
+    /// What has been triangulated in a frame, where it was, with the layers of the rings of `plan`.
+    pub(crate) fn new(
+        framed: &Framed,
+        plan: &'a Plan,
+        whole: Triangles,
+        mirrors: &[Mirror],
+    ) -> Self {
         let mut corners = Self {
-            points: refinement.points(),
-            triangles: refinement.triangles(),
+            points: whole.points,
+            triangles: whole.cells,
             rims: Vec::new(),
         };
-        let mut outer: Vec<Vec<usize>> = plan
-            .rings
+        let rings = &framed.plan.rings;
+        let mut outer: Vec<Vec<usize>> = rings
             .iter()
             .map(|ring| vec![0; ring.angles.len()])
             .collect();
-        for segment in refinement.segments() {
-            match segment.origin {
-                Origin::Piece {
-                    piece, from, to, ..
-                } => {
-                    let track = &plan.outline.tracks[piece];
-                    corners.rims.push(Rim {
-                        ends: segment.ends,
-                        set: &plan.outline.names[piece],
-                        halfway: track.at(f64::midpoint(from, to)),
-                    });
-                }
-                Origin::Ring { ring, ray } => outer[ring][ray] = segment.ends[1],
+        for segment in &whole.segments {
+            if let Origin::Ring { ring, ray } = segment.origin {
+                outer[ring][ray] = segment.ends[1];
             }
         }
-        for (ring, outer) in plan.rings.iter().zip(outer) {
-            corners.ring(ring, outer);
+        let rims = rings.iter().zip(outer);
+        let rims: Vec<Vec<usize>> = rims
+            .map(|(ring, outer)| corners.layers(ring, outer, mirrors))
+            .collect();
+        corners.return_from(framed);
+        for segment in &whole.segments {
+            if let Origin::Piece {
+                piece, from, to, ..
+            } = segment.origin
+            {
+                let length = framed.plan.outline.tracks[piece].length();
+                let parts = [from, to].map(|s| s / length);
+                corners.on_piece(
+                    segment.ends,
+                    parts,
+                    plan,
+                    framed.tracks[piece],
+                    framed.mirrors(),
+                );
+            }
+        }
+        for (k, nodes) in rims.iter().enumerate() {
+            let ring = &plan.rings[framed.holes[k]];
+            corners.on_hole(ring, nodes, &framed.rays[k]);
         }
         corners
     }
 
-    /// Adds the layers of a ring inside its outermost row of nodes, and the hole's edge.
-    fn ring(&mut self, ring: &'a Ring, outer: Vec<usize>) {
+    /// Nodes and triangles where they were before they were framed.
+    fn return_from(&mut self, framed: &Framed) {
+        for point in &mut self.points {
+            *point = framed.back(*point);
+        }
+        if framed.mirrors() {
+            for [_, b, c] in &mut self.triangles {
+                std::mem::swap(b, c);
+            }
+        }
+    }
+
+    /// Puts an edge on the exact curve of a piece, between two parts of its length.
+    fn on_piece(
+        &mut self,
+        mut ends: [usize; 2],
+        mut parts: [f64; 2],
+        plan: &'a Plan,
+        track: usize,
+        mirrored: bool,
+    ) {
+        if mirrored {
+            ends.reverse();
+            parts = [1.0 - parts[1], 1.0 - parts[0]];
+        }
+        let set = &plan.outline.names[track];
+        let track = &plan.outline.tracks[track];
+        let at = |part: f64| track.at(part * track.length());
+        for (node, part) in ends.into_iter().zip(parts) {
+            self.points[node] = at(part);
+        }
+        let halfway = at(f64::midpoint(parts[0], parts[1]));
+        self.rims.push(Rim { ends, set, halfway });
+    }
+
+    /// Puts nodes on the exact circle of a hole, each on one of its `rays`.
+    fn on_hole(&mut self, ring: &'a Ring, nodes: &[usize], rays: &[usize]) {
+        let count = nodes.len();
+        let mut by_ray = vec![0; count];
+        for (&node, &ray) in nodes.iter().zip(rays) {
+            by_ray[ray] = node;
+            self.points[node] = ring.rows[0][ray];
+        }
+        let rims = (0..count).map(|ray| Rim {
+            ends: [by_ray[(ray + 1) % count], by_ray[ray]],
+            set: &ring.name,
+            halfway: ring.halfway(ray),
+        });
+        self.rims.extend(rims);
+    }
+
+    /// Adds the layers of a ring inside its outermost row of nodes, and returns the nodes of the hole.
+    fn layers(&mut self, ring: &Ring, outer: Vec<usize>, mirrors: &[Mirror]) -> Vec<usize> {
         let count = outer.len();
         let layers = ring.rows.len() - 1;
         let mut far = outer;
@@ -156,16 +226,19 @@ impl<'a> Corners<'a> {
             let near: Vec<usize> = (first..first + count).collect();
             for ray in 0..count {
                 let next = (ray + 1) % count;
-                self.quadrilateral([near[ray], far[ray], far[next], near[next]]);
+                let mut corners = [near[ray], far[ray], far[next], near[next]];
+                let [a, b, c, d] = corners.map(|node| self.points[node]);
+                let centre = middle(middle(a, d), middle(b, c));
+                let copies = mirrors.iter().filter(|mirror| mirror.copies(centre));
+                // Of two diagonals that are equally long a copy has the other one.
+                if copies.count() % 2 == 1 {
+                    corners.rotate_left(1);
+                }
+                self.quadrilateral(corners);
             }
             far = near;
         }
-        let rims = (0..count).map(|ray| Rim {
-            ends: [far[(ray + 1) % count], far[ray]],
-            set: &ring.name,
-            halfway: ring.halfway(ray),
-        });
-        self.rims.extend(rims);
+        far
     }
 
     /// Adds two triangles, cut along the shorter diagonal.

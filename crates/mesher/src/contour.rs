@@ -8,7 +8,7 @@ use stickslip_fem_core::mesh::Point;
 use crate::curve::Track;
 use crate::vector::{NOWHERE, grown};
 
-pub(crate) use check::checked;
+pub(crate) use check::{TOLERANCE, checked};
 
 /// One piece of an outline, from the end of the one before to `to`.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,11 +3,13 @@
 use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate};
 use stickslip_fem_core::mesh::{ElementKind, Mesh};
 
-use crate::assemble::assembled;
-use crate::edges::Boundary;
+use crate::assemble::{Corners, assembled};
+use crate::edges::{Boundary, Link};
+use crate::frame::Framed;
 use crate::plan::Plan;
 use crate::smooth::smooth;
-use crate::triangulate::Refinement;
+use crate::symmetry::Mirror;
+use crate::triangulate::{Refinement, Triangles};
 use crate::{Contour, ContourError, Division};
 
 /// A contour and its division: a body that can be meshed.
@@ -48,14 +50,19 @@ impl ContourMesh {
             ElementKind::T6 => limit / 2,
             _ => limit,
         };
-        let refinement = refined(&plan, corners).map_err(|error| match error {
+        let framed = Framed::new(&plan, &self.contour.holes, &self.division);
+        let (mirrors, chains) = Mirror::all(&framed.plan, &self.division.refined);
+        let half = refined(&framed.plan, &chains, corners).map_err(|error| match error {
             ContourError::TooLarge { nodes, .. } => ContourError::TooLarge {
                 nodes: nodes.saturating_mul(limit / corners.max(1)),
                 limit,
             },
-            other => other,
+            other => other.at_places(|place| framed.back(place)),
         })?;
-        assembled(&plan, &refinement, &self.division, limit)
+        let unfold = |all, mirror: &Mirror| mirror.unfold(all, &framed.plan);
+        let whole = mirrors.iter().rev().fold(half, unfold);
+        let corners = Corners::new(&framed, &plan, whole, &mirrors);
+        assembled(&plan, corners, &self.division, limit)
     }
 
     fn estimated(&self, plan: &Plan) -> MeshEstimate {
@@ -74,13 +81,13 @@ impl ContourMesh {
     }
 }
 
-/// The triangulation with at most `limit` corners.
-fn refined(plan: &Plan, limit: usize) -> Result<Refinement<'_>, ContourError> {
-    let boundary = Boundary::new(plan, limit)?;
+/// The triangulation inside closed chains with at most `limit` corners.
+fn refined(plan: &Plan, chains: &[Vec<Link>], limit: usize) -> Result<Triangles, ContourError> {
+    let boundary = Boundary::new(plan, chains, limit)?;
     let mut refinement = Refinement::new(plan, boundary, limit)?;
     refinement.refine()?;
     smooth(&mut refinement)?;
-    Ok(refinement)
+    Ok(refinement.finished())
 }
 
 impl Generate for ContourMesh {

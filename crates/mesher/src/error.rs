@@ -250,6 +250,12 @@ pub enum ContourError {
         /// About where it is `[length]`.
         at: Point,
     },
+    /// Edges of the boundary that leave no room for a triangle.
+    #[error("boundary edges near ({:.6}, {:.6}) coincide or cross; use a finer spacing there", at[0], at[1])]
+    EdgesMeet {
+        /// About where `[length]`.
+        at: Point,
+    },
     /// The triangulation refused its input, for example coordinates beyond its range.
     #[error("the triangulation failed: {reason}")]
     Triangulation {
@@ -267,6 +273,16 @@ pub enum ContourError {
     /// The triangles are in order but their curved cells are not.
     #[error("the generated mesh is not valid; give the holes more angles")]
     Mesh(#[from] MeshError),
+}
+
+impl ContourError {
+    /// What stopped a triangulation in a frame of its own, at its place outside that frame.
+    pub(crate) fn at_places(mut self, place: impl Fn(Point) -> Point) -> Self {
+        if let Self::Incomplete { at, .. } | Self::EdgesMeet { at } = &mut self {
+            *at = place(*at);
+        }
+        self
+    }
 }
 
 /// What a message calls a loop.

@@ -11,6 +11,7 @@
 //!
 //! | step | result | source |
 //! | --- | --- | --- |
+//! | frame | the body in unit size, turned and mirrored so that its triangles do not depend on how it is drawn; one side of each mirror | |
 //! | rings | layers of nearly square cells around each hole, cut into triangles; their nodes stay where they are | as the fans of `stickslip_fem_core::generate` |
 //! | edges | nodes on the outline, equally spaced in ∫ ds/h; equal first edges on both sides of an acute corner | Ruppert (1995), § 5 |
 //! | refinement | constrained Delaunay triangles, circumcentres of large or flat ones inserted | Ruppert (1995); Shewchuk (2002) |
@@ -56,6 +57,7 @@ mod curve;
 mod division;
 mod edges;
 mod error;
+mod frame;
 mod outline;
 mod path;
 mod plan;
@@ -63,6 +65,7 @@ mod quality;
 mod ring;
 mod size;
 mod smooth;
+mod symmetry;
 mod triangulate;
 mod vector;
 

@@ -64,12 +64,6 @@ impl Outline {
         if k == own.start { own.end - 1 } else { k - 1 }
     }
 
-    /// Index of the piece after `k`.
-    pub(crate) fn after(&self, k: usize) -> usize {
-        let own = &self.loops[self.loop_of(k)];
-        if k + 1 == own.end { own.start } else { k + 1 }
-    }
-
     /// Signed area inside the loop `own` `[length²]`, of a cut-out negative.
     pub(crate) fn area(&self, own: usize) -> f64 {
         let origin = self.bounds[0];

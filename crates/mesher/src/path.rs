@@ -125,7 +125,8 @@ impl Path {
 }
 
 impl Track {
-    fn tangent(&self, s: f64) -> Point {
+    /// Unit vector along the walk at arc length `s`.
+    pub(crate) fn tangent(&self, s: f64) -> Point {
         let along = match self.centre() {
             None => minus(self.to, self.from),
             Some(centre) => {
@@ -168,7 +169,12 @@ impl Track {
     }
 
     /// Where a straight line crosses it, as [`Path::crossings`] says.
-    fn crossings(&self, from: Point, direction: Point, tolerance: f64) -> Vec<(f64, f64)> {
+    pub(crate) fn crossings(
+        &self,
+        from: Point,
+        direction: Point,
+        tolerance: f64,
+    ) -> Vec<(f64, f64)> {
         let ways = match self.centre() {
             None => {
                 let along = minus(self.to, self.from);

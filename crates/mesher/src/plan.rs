@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use stickslip_fem_core::mesh::{Curve, ElementKind, Point};
 
-use crate::contour::{Contour, checked};
+use crate::contour::{Contour, Hole, checked};
 use crate::outline::Outline;
 use crate::ring::Ring;
 use crate::size::{SHARP, Size};
@@ -25,7 +25,7 @@ pub(crate) struct Plan {
 const CELLS_PER_SIZE: f64 = 3.6;
 
 /// Longest first edge beside an acute corner over the shorter piece.
-const FIRST_EDGE: f64 = 0.25;
+pub(crate) const FIRST_EDGE: f64 = 0.25;
 
 /// Deepest halving of the box in which the number of cells is estimated.
 const DEPTH: usize = 9;
@@ -35,19 +35,24 @@ impl Plan {
         let outline = checked(contour)?;
         check_division(division, &outline.names)?;
         check_points(division, &outline)?;
-        let rings: Vec<Ring> = (0..contour.holes.len())
-            .map(|k| Ring::new(k, &contour.holes, &outline))
+        Ok(Self::of(outline, &contour.holes, division))
+    }
+
+    /// The plan of what has been checked.
+    pub(crate) fn of(outline: Outline, holes: &[Hole], division: &Division) -> Self {
+        let rings: Vec<Ring> = (0..holes.len())
+            .map(|k| Ring::new(k, holes, &outline))
             .collect();
-        let mut size = Size::new(contour, division, &outline, &rings);
+        let mut size = Size::new(holes, division, &outline, &rings);
         let first_edges = (0..outline.tracks.len())
             .map(|k| first_edge(&outline, k, &mut size))
             .collect();
-        Ok(Self {
+        Self {
             outline,
             rings,
             size,
             first_edges,
-        })
+        }
     }
 
     /// The line or circle that all pieces called `name` lie on, or the hole with that name.

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_3, PI};
 use stickslip_fem_core::mesh::Point;
 
 use crate::Division;
-use crate::contour::Contour;
+use crate::contour::Hole;
 use crate::curve::{Track, gap};
 use crate::outline::Outline;
 use crate::ring::Ring;
@@ -56,7 +56,7 @@ pub(crate) struct Size {
 impl Size {
     /// The sources of a checked contour.
     pub(crate) fn new(
-        contour: &Contour,
+        holes: &[Hole],
         division: &Division,
         outline: &Outline,
         rings: &[Ring],
@@ -80,7 +80,7 @@ impl Size {
             .collect();
         let corners = (0..outline.tracks.len()).flat_map(|k| corner(outline, k));
         clusters.extend(corners.filter(|c| c.least < cap));
-        clusters.extend(gaps(contour, outline, rings));
+        clusters.extend(gaps(holes, outline, rings));
         clusters.extend(walls(outline, cap));
         Self {
             cap,
@@ -164,7 +164,7 @@ fn corner(outline: &Outline, k: usize) -> Vec<Cluster> {
 }
 
 /// Sources in the gaps between holes and what is nearest to them.
-fn gaps(contour: &Contour, outline: &Outline, rings: &[Ring]) -> Vec<Cluster> {
+fn gaps(holes: &[Hole], outline: &Outline, rings: &[Ring]) -> Vec<Cluster> {
     let mut clusters = Vec::new();
     for (k, ring) in rings.iter().enumerate() {
         let hole_nodes = &ring.rows[0];
@@ -173,7 +173,7 @@ fn gaps(contour: &Contour, outline: &Outline, rings: &[Ring]) -> Vec<Cluster> {
             let point = hole_nodes[n];
             let chord = distance(point, hole_nodes[(n + 1) % count]);
             let pieces = outline.tracks.iter().map(|track| gap(track, point));
-            let others = contour.holes.iter().enumerate();
+            let others = holes.iter().enumerate();
             let holes = others.filter(|&(other, _)| other != k).map(|(_, other)| {
                 let reach = distance(point, other.centre);
                 let t = other.radius / reach;

@@ -1,12 +1,13 @@
 //! Smoothing: inner nodes move where the least angle of the cells around them grows.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_4;
 
 use stickslip_fem_core::generate::unit_vector;
 use stickslip_fem_core::mesh::Point;
 
 use crate::ContourError;
+use crate::edges::Origin;
 use crate::triangulate::Refinement;
 use crate::vector::{along, circumcircle, distance, least_sine, middle, orient};
 
@@ -31,8 +32,7 @@ pub(crate) fn smooth(refinement: &mut Refinement<'_>) -> Result<(), ContourError
     for done in 1..=MOST_PASSES {
         let mut points = refinement.points();
         let triangles = refinement.triangles();
-        let fixed: BTreeSet<usize> = refinement.segments().flat_map(|s| s.ends).collect();
-        pass(&mut points, &triangles, &fixed);
+        pass(&mut points, &triangles, &freedom(refinement));
         refinement.moved(&points)?;
         refinement.refine()?;
         let state = refinement.state();
@@ -47,7 +47,34 @@ pub(crate) fn smooth(refinement: &mut Refinement<'_>) -> Result<(), ContourError
     refinement.accepted()
 }
 
-fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>) {
+/// How a node may move.
+#[derive(Clone, Copy, PartialEq)]
+enum Freedom {
+    Free,
+    /// Along the mirror where this coordinate is 0.
+    Along(usize),
+    Fixed,
+}
+
+/// How nodes of boundary edges may move.
+fn freedom(refinement: &Refinement<'_>) -> BTreeMap<usize, Freedom> {
+    let mut all: BTreeMap<usize, Freedom> = BTreeMap::new();
+    for segment in refinement.segments() {
+        let own = match segment.origin {
+            Origin::Axis { across, open: true } => Freedom::Along(across),
+            _ => Freedom::Fixed,
+        };
+        for node in segment.ends {
+            let known = all.entry(node).or_insert(own);
+            if *known != own {
+                *known = Freedom::Fixed;
+            }
+        }
+    }
+    all
+}
+
+fn pass(points: &mut [Point], triangles: &[[usize; 3]], bound: &BTreeMap<usize, Freedom>) {
     let mut around: Vec<Vec<[usize; 2]>> = vec![Vec::new(); points.len()];
     for &[a, b, c] in triangles {
         for (node, ends) in [(a, [b, c]), (b, [c, a]), (c, [a, b])] {
@@ -55,10 +82,18 @@ fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>)
         }
     }
     for (node, star) in around.iter().enumerate() {
-        if fixed.contains(&node) || star.is_empty() {
+        let freedom = bound.get(&node).copied().unwrap_or(Freedom::Free);
+        if freedom == Freedom::Fixed || star.is_empty() {
             continue;
         }
+        let held = |mut at: Point| {
+            if let Freedom::Along(across) = freedom {
+                at[across] = 0.0;
+            }
+            at
+        };
         let worst = |at: Point| {
+            let at = held(at);
             let cells = star.iter().map(|&[a, b]| [at, points[a], points[b]]);
             cells.map(least_sine).fold(f64::INFINITY, f64::min)
         };
@@ -70,7 +105,7 @@ fn pass(points: &mut [Point], triangles: &[[usize; 3]], fixed: &BTreeSet<usize>)
             let sides = star.iter().map(|ends| distance(now, points[ends[0]]));
             best = searched(best, sides.fold(f64::INFINITY, f64::min), worst);
         }
-        points[node] = best.1;
+        points[node] = held(best.1);
     }
 }
 

@@ -31,6 +31,13 @@ pub(crate) struct Refinement<'a> {
     good: HashSet<[usize; 3]>,
 }
 
+/// Nodes, counter-clockwise triangles, and boundary edges with the body on their left.
+pub(crate) struct Triangles {
+    pub(crate) points: Vec<Point>,
+    pub(crate) cells: Vec<[usize; 3]>,
+    pub(crate) segments: Vec<Segment>,
+}
+
 /// What a triangulation can be made from again.
 pub(crate) struct State {
     /// Sine of the least angle.
@@ -63,6 +70,23 @@ impl<'a> Refinement<'a> {
     pub(crate) fn points(&self) -> Vec<Point> {
         let vertices = self.delaunay.vertices();
         vertices.map(|vertex| plain(vertex.position())).collect()
+    }
+
+    /// What the mesh is made from.
+    pub(crate) fn finished(&self) -> Triangles {
+        Triangles {
+            points: self.points(),
+            cells: self.triangles(),
+            segments: self.segments().copied().collect(),
+        }
+    }
+
+    fn place(&self, node: usize) -> Point {
+        plain(
+            self.delaunay
+                .vertex(FixedVertexHandle::from_index(node))
+                .position(),
+        )
     }
 
     /// Nodes and boundary edges, with the shape of the worst cell away from acute corners.
@@ -169,8 +193,6 @@ impl<'a> Refinement<'a> {
     }
 
     fn positions(&self, triangle: [usize; 3]) -> [Point; 3] {
-        triangle
-            .map(FixedVertexHandle::from_index)
-            .map(|node| plain(self.delaunay.vertex(node).position()))
+        triangle.map(|node| self.place(node))
     }
 }

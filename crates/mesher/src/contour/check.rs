@@ -13,7 +13,7 @@ use crate::outline::Outline;
 use crate::vector::distance;
 
 /// Distance below which points coincide, in units of the body's extent.
-const TOLERANCE: f64 = 1e-9;
+pub(crate) const TOLERANCE: f64 = 1e-9;
 
 /// Distance from a shared corner, in units of the shorter piece, within which neighbours may meet: rounding moves the
 /// point of contact of tangent curves by the root of its own size.

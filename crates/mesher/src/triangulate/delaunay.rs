@@ -36,12 +36,7 @@ pub(super) fn refused(error: spade::InsertionError) -> ContourError {
 }
 
 pub(super) fn crossed(at: Point) -> ContourError {
-    ContourError::Triangulation {
-        reason: format!(
-            "boundary edges near ({:.6}, {:.6}) coincide or cross; use a finer spacing there",
-            at[0], at[1]
-        ),
-    }
+    ContourError::EdgesMeet { at }
 }
 
 pub(super) fn key([a, b]: [usize; 2]) -> [usize; 2] {

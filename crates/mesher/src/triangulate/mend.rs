@@ -8,15 +8,19 @@ use stickslip_fem_core::mesh::Point;
 
 use super::Refinement;
 use super::delaunay::{crossed, key, plain, position, refused};
+use super::rounds::FLAT;
 use crate::ContourError;
-use crate::edges::{Origin, Segment};
-use crate::vector::{circumcircle, distance, dot, minus, orient};
+use crate::edges::Segment;
+use crate::vector::{circumcircle, distance, dot, least_sine, minus, orient};
 
 /// Cosine of the largest angle, 120°, at which a new node may see a fixed edge (Shewchuk's diametral lens).
 const LENS: f64 = -0.5;
 
 /// Shortest distance of a new node from others, in sizes.
 const CLOSEST: f64 = 0.1;
+
+/// Shortest half of a boundary edge that is halved for triangles that are only too large, in sizes: edges that have their size stay equally long.
+const HALF: f64 = 0.55;
 
 /// Triangles passed on the way to a circumcentre before it counts as hidden.
 const WALK: usize = 10_000;
@@ -47,11 +51,16 @@ impl Refinement<'_> {
         if !centre.iter().all(|c| c.is_finite()) {
             return Ok(Outcome::Blocked);
         }
+        let least = if least_sine(corners) < FLAT {
+            CLOSEST
+        } else {
+            HALF
+        };
         match self.walk(face, centre) {
             Found::Face(face) => {
                 let (encroached, nearest) = self.conflicts(face, centre);
                 if !encroached.is_empty() {
-                    return self.split_any(&encroached);
+                    return self.split_any(&encroached, least);
                 }
                 if nearest < CLOSEST * self.plan.size.at(centre) {
                     return Ok(Outcome::Blocked);
@@ -59,7 +68,7 @@ impl Refinement<'_> {
                 self.insert(centre, triangle[0])?;
                 Ok(Outcome::Changed)
             }
-            Found::Hidden(segment) => self.split_any(&[segment]),
+            Found::Hidden(segment) => self.split_any(&[segment], least),
             Found::Lost => Ok(Outcome::Blocked),
         }
     }
@@ -149,16 +158,16 @@ impl Refinement<'_> {
         }
         let mut changed = false;
         for segment in encroached {
-            changed |= matches!(self.split_any(&[segment])?, Outcome::Changed);
+            changed |= matches!(self.split_any(&[segment], CLOSEST)?, Outcome::Changed);
         }
         Ok(changed)
     }
 
-    /// Halves those of some boundary edges that may be.
-    fn split_any(&mut self, segments: &[[usize; 2]]) -> Result<Outcome, ContourError> {
+    /// Halves those of some boundary edges that may be, to halves of at least `least` sizes.
+    fn split_any(&mut self, segments: &[[usize; 2]], least: f64) -> Result<Outcome, ContourError> {
         let mut outcome = Outcome::Blocked;
         for &ends in segments {
-            if self.split(ends)? {
+            if self.split(ends, least)? {
                 outcome = Outcome::Changed;
             }
         }
@@ -166,22 +175,15 @@ impl Refinement<'_> {
     }
 
     /// Halves a boundary edge on its true curve; false if it is fixed or already short.
-    fn split(&mut self, ends: [usize; 2]) -> Result<bool, ContourError> {
+    fn split(&mut self, ends: [usize; 2], least: f64) -> Result<bool, ContourError> {
         let Some(&segment) = self.segments.get(&key(ends)) else {
             return Ok(false);
         };
-        let Origin::Piece {
-            piece,
-            from,
-            to,
-            open: true,
-        } = segment.origin
-        else {
+        let places = segment.ends.map(|end| self.place(end));
+        let Some((middle, half, origins)) = segment.origin.halves(self.plan, places) else {
             return Ok(false);
         };
-        let half = f64::midpoint(from, to);
-        let middle = self.plan.outline.tracks[piece].at(half);
-        if (to - from) / 2.0 < CLOSEST * self.plan.size.at(middle) {
+        if half < least * self.plan.size.at(middle) {
             return Ok(false);
         }
         let handles = segment.ends.map(FixedVertexHandle::from_index);
@@ -194,16 +196,10 @@ impl Refinement<'_> {
         self.delaunay.remove_constraint_edge(edge);
         let node = self.insert(middle, segment.ends[0])?;
         self.segments.remove(&key(ends));
-        for (ends, from, to) in [
-            ([segment.ends[0], node], from, half),
-            ([node, segment.ends[1]], half, to),
-        ] {
-            let origin = Origin::Piece {
-                piece,
-                from,
-                to,
-                open: true,
-            };
+        for (ends, origin) in [[segment.ends[0], node], [node, segment.ends[1]]]
+            .into_iter()
+            .zip(origins)
+        {
             let [a, b] = ends.map(FixedVertexHandle::from_index);
             if self.delaunay.try_add_constraint(a, b).len() != 1 {
                 return Err(crossed(self.points()[node]));

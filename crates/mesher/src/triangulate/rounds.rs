@@ -12,7 +12,7 @@ use crate::vector::{circumcircle, least_sine};
 const ROUGH: f64 = 0.65;
 
 /// Sine of the least angle asked for, 28°.
-const FLAT: f64 = 0.469;
+pub(super) const FLAT: f64 = 0.469;
 
 /// Rounds before refinement is given up.
 const ROUNDS: usize = 200;

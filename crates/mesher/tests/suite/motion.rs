@@ -1,10 +1,10 @@
 //! Moved, turned and mirrored bodies.
 
-use stickslip_fem_core::mesh::{Curve, ElementKind, Point};
+use stickslip_fem_core::mesh::{Curve, ElementKind, Mesh, Point};
 use stickslip_mesher::{Contour, ContourMesh, Division, Piece, quality};
 
 use crate::area::area;
-use crate::shapes::{all, lug, meshed};
+use crate::shapes::{all, disk, lug, meshed};
 
 /// The contour with all its points mapped; `angle` maps angles of holes.
 fn mapped(
@@ -96,6 +96,107 @@ fn moved_turned_and_mirrored_bodies_have_like_meshes() {
                 "{name} {motion}: {nodes:?}"
             );
         }
+    }
+}
+
+/// The nodes of a mesh, sorted, and its triangles by their sorted middles; after `place`.
+fn drawn(mesh: &Mesh, place: impl Fn(Point) -> Point) -> Vec<[i64; 2]> {
+    let nodes: Vec<Point> = mesh.nodes().iter().map(|&node| place(node)).collect();
+    let middles = mesh.blocks().iter().flat_map(|block| {
+        let cells = block.connectivity.chunks(block.kind.nodes());
+        let middle = |cell: &[usize]| {
+            [0, 1].map(|c| cell[..3].iter().map(|&n| nodes[n][c]).sum::<f64>() / 3.0)
+        };
+        cells.map(middle).collect::<Vec<_>>()
+    });
+    let all = middles.chain(nodes.iter().copied());
+    let mut all: Vec<[i64; 2]> = all
+        .map(|point| point.map(|c| (c * 1e8).round() as i64))
+        .collect();
+    all.sort_unstable();
+    all
+}
+
+/// Whether two lists of points on a grid of 1e-8 are the same, to 2e-8.
+fn alike(a: &[[i64; 2]], b: &[[i64; 2]]) -> bool {
+    // Points that differ in a last digit may be sorted otherwise.
+    let near = |p: &[i64; 2]| {
+        let first = b.partition_point(|q| q[0] < p[0] - 2);
+        let candidates = b[first..].iter().take_while(|q| q[0] <= p[0] + 2);
+        candidates.into_iter().any(|q| (q[1] - p[1]).abs() <= 2)
+    };
+    a.len() == b.len() && a.iter().all(near)
+}
+
+/// The same triangles, to rounding: in other units, elsewhere, turned by a right angle, mirrored, and drawn from another corner.
+#[test]
+fn triangles_do_not_depend_on_how_a_body_is_drawn() {
+    let (inch, quarter) = (25.4, std::f64::consts::FRAC_PI_2);
+    for (name, contour) in all() {
+        let reference = drawn(&meshed(contour.clone(), ElementKind::T6), |p| p);
+        let check = |how: &str, other: Contour, back: &dyn Fn(Point) -> Point| {
+            let other = drawn(&meshed(other, ElementKind::T6), back);
+            assert!(alike(&reference, &other), "{name} {how}");
+        };
+        let mut scaled = mapped(&contour, |p| p.map(|c| c / inch), |a| a);
+        for hole in &mut scaled.holes {
+            hole.radius /= inch;
+        }
+        check("in inches", scaled, &|p| p.map(|c| c * inch));
+        let moved = mapped(&contour, |[x, y]| [x + 0.1, y - 3.7], |a| a);
+        check("moved", moved, &|[x, y]| [x - 0.1, y + 3.7]);
+        let turned = mapped(&contour, |[x, y]| [-y, x], |a| a + quarter);
+        check("turned", turned, &|[x, y]| [y, -x]);
+        let mirrored = mapped(&contour, |[x, y]| [-x, y], |a| 2.0 * quarter - a);
+        // Its own image in a diagonal, which its triangles are not.
+        if name == "angle plate" {
+            continue;
+        }
+        check("mirrored", reversed(&mirrored), &|[x, y]| [-x, y]);
+        let mut rotated = contour.clone();
+        rotated.start = contour.pieces[0].to;
+        rotated.pieces.rotate_left(1);
+        check("from another corner", rotated, &|p| p);
+    }
+}
+
+/// Bodies that are their own mirror images have such triangles.
+#[test]
+fn triangles_of_symmetric_bodies_are_symmetric() {
+    let upside_down = |[x, y]: Point| [x, -y];
+    let wide = |width: f64| move |[x, y]: Point| [width - x, y];
+    for (contour, other) in [
+        (disk(), &upside_down as &dyn Fn(Point) -> Point),
+        (disk(), &wide(0.0)),
+        (lug(72), &upside_down),
+        (acute_kite(), &upside_down),
+        (acute_kite(), &wide(0.0)),
+    ] {
+        let mesh = meshed(contour, ElementKind::T6);
+        assert!(quality(&mesh).least_angle.to_degrees() > 18.0);
+        let (own, image) = (drawn(&mesh, |p| p), drawn(&mesh, other));
+        assert!(alike(&own, &image));
+    }
+}
+
+/// Corners of 40° and 140° on both axes.
+fn acute_kite() -> Contour {
+    let line = |name: &str, to| Piece {
+        name: name.into(),
+        to,
+        through: None,
+    };
+    let half = (20.0_f64).to_radians().tan();
+    Contour {
+        start: [1.0, 0.0],
+        pieces: vec![
+            line("a", [0.0, half]),
+            line("b", [-1.0, 0.0]),
+            line("c", [0.0, -half]),
+            line("d", [1.0, 0.0]),
+        ],
+        cutouts: Vec::new(),
+        holes: Vec::new(),
     }
 }
 
