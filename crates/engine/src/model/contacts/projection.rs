@@ -41,7 +41,9 @@ pub(super) struct Side<'a> {
 impl<'a> Side<'a> {
     /// Adds the nodes of `edge` to the contact points `interface` of its body, but for those that stand there of another contact.
     pub(super) fn new(interface: &mut Vec<usize>, mesh: &Mesh, edge: &'a EdgeNodes) -> Self {
-        let known: HashMap<usize, usize> = interface.iter().copied().zip(0..).collect();
+        // Circles share no nodes.
+        let open = interface.iter().filter(|_| edge.kind == EdgeKind::Path);
+        let known: HashMap<usize, usize> = open.copied().zip(0..).collect();
         let mut place = |node: &usize| {
             known.get(node).copied().unwrap_or_else(|| {
                 interface.push(*node);
