@@ -9,7 +9,7 @@ use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::{Album, Depth, run};
 use stickslip_measure::synthesis::{Camera, Shots};
 use stickslip_scene::Format;
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 use stickslip_scene::host::{Host, MemoryFiles};
 
 const SCENE: &str = r#"

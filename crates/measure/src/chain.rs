@@ -1,7 +1,7 @@
 //! The chain of stages, to the depth that a command asks for.
 
 use stickslip_engine::run::Progress;
-use stickslip_scene::experiment::{Experiment, Source};
+use stickslip_experiment::{Experiment, Source};
 
 use crate::analysed::{self, Analysed};
 use crate::error::ExperimentError;

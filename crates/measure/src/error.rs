@@ -14,7 +14,7 @@ use thiserror::Error;
 use super::laws::LawsError;
 use stickslip_engine::run::RunError;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 pub(super) use messages::{at, of_reduction, of_region};
 pub use whole::WholeError;

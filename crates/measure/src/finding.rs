@@ -7,7 +7,7 @@ mod edge;
 mod friction;
 
 use serde::{Serialize, Serializer};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 pub use data::{
     Apart, BackFinding, FieldFinding, FileFinding, LineFinding, PictureFinding, TableFinding, Worst,

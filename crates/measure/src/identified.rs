@@ -19,7 +19,7 @@ use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one}
 use super::analysed::Analysed;
 use super::error::ExperimentError;
 use super::finding::FrictionFinding;
-use stickslip_scene::experiment::{Experiment, RegionShape};
+use stickslip_experiment::{Experiment, RegionShape};
 use stickslip_text::short;
 
 pub use coarser::{Coarser, on_half_the_cells};

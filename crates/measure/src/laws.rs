@@ -40,7 +40,7 @@ mod verdict;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::calibrate::CalibrateError;
-use stickslip_scene::experiment::RefusedLaw;
+use stickslip_experiment::RefusedLaw;
 use thiserror::Error;
 
 pub use compare::{fit, fit_on_two_meshes};
@@ -56,7 +56,7 @@ pub use scale::{Scale, ScaleSource};
 pub use sensitivity::{Sensitivity, sensitivity};
 pub use shared_null::SharedNull;
 pub use stage::{LawStage, stage};
-pub use stickslip_scene::experiment::Candidate;
+pub use stickslip_experiment::Candidate;
 pub use verdict::Verdict;
 
 use stickslip_engine::run::RunError;

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! experiment file ──► Experiment ──► fringes ──► reduce ──► hybrid ──► identify
-//!                     (scene)        pictures    measured   edge       friction
+//!                                    pictures    measured   edge       friction
 //!                                                fields     stresses
 //! ```
 //!
@@ -36,8 +36,8 @@ pub mod whole;
 pub use nalgebra;
 /// The crates of experiments, runs, meshes, laws, contacts and measured data that findings hold.
 pub use {
-    stickslip_contact, stickslip_engine, stickslip_fem_core, stickslip_friction, stickslip_hybrid,
-    stickslip_scene,
+    stickslip_contact, stickslip_engine, stickslip_experiment, stickslip_fem_core,
+    stickslip_friction, stickslip_hybrid, stickslip_scene,
 };
 
 pub use error::ExperimentError;

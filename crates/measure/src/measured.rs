@@ -30,7 +30,7 @@ use super::ends::span;
 use super::error::ExperimentError;
 use super::finding::{FieldFinding, Finding, Located, Part};
 use super::synthesis::{Shot, Shots};
-use stickslip_scene::experiment::{Experiment, Source};
+use stickslip_experiment::{Experiment, Source};
 use stickslip_scene::limits::Content;
 
 pub use rotation::TakenOff;

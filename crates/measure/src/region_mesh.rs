@@ -5,7 +5,7 @@ mod imported;
 use stickslip_fem_core::mesh::Mesh;
 
 use crate::error::ExperimentError;
-use stickslip_scene::experiment::{Hole, RegionPlan, RegionShape};
+use stickslip_experiment::{Hole, RegionPlan, RegionShape};
 use stickslip_scene::host::Host;
 
 /// The edge set on which stresses are asked for.

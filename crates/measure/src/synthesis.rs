@@ -15,7 +15,7 @@ use stickslip_hybrid::moire::Grating;
 use super::error::ExperimentError;
 use super::finding::{Finding, Located, Part, PictureFinding};
 use super::truth::{Sampling, Truth};
-use stickslip_scene::experiment::{Experiment, Fringes, Source};
+use stickslip_experiment::{Experiment, Fringes, Source};
 
 /// How synthetic pictures are taken of a solved scene: pixels found in the mesh once, for all states.
 #[derive(Clone, Debug)]

@@ -12,7 +12,7 @@ use stickslip_engine::results::Results;
 use stickslip_engine::run::{
     Progress, RunError, displacements_of, results_without_audit, solve, solver,
 };
-use stickslip_scene::experiment::SpecimenScene;
+use stickslip_experiment::SpecimenScene;
 use stickslip_scene::schema::FieldOutput;
 
 /// A solved scene: what the specimen's edge carries, and how every point of it moves.

@@ -30,7 +30,7 @@ use super::analysed::scale::{least_scale, residuals, scale};
 use super::analysed::smoothing_reach;
 use super::measured::Measured;
 use stickslip_engine::model::{Model, ModelBodyKind};
-use stickslip_scene::experiment::SpecimenScene;
+use stickslip_experiment::SpecimenScene;
 use stickslip_scene::schema::ModelChoice;
 
 pub use super::error::WholeError;

@@ -17,7 +17,7 @@ use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::{self, Album, Depth};
 use stickslip_measure::finding::ignored_keys;
 use stickslip_measure::synthesis::{Camera, Shots};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 use gallery::Gallery;
 use identified::FrictionResults;

@@ -49,7 +49,8 @@ pub mod results;
 pub use serde_json;
 /// The crates of meshes, scenes, results, findings and figures that tables, pages and errors show.
 pub use {
-    stickslip_engine, stickslip_fem_core, stickslip_measure, stickslip_report, stickslip_scene,
+    stickslip_engine, stickslip_experiment, stickslip_fem_core, stickslip_measure,
+    stickslip_report, stickslip_scene,
 };
 
 /// Takes a file by its name in the folder of results and its bytes, and says why it cannot be kept; may be called from several threads.

@@ -13,7 +13,8 @@ pub(crate) use self::kind::{
     lists, names, number, set, spacing, spring_stiffness, stress, stresses, table, table_as,
     tables_of, temperature, temperatures, text, words,
 };
-pub(crate) use self::range::{POSITIVE, Range, counts, filled, numbers};
+pub(crate) use self::range::filled;
+pub use self::range::{POSITIVE, Range, counts, numbers};
 
 /// The default of a key that must be there.
 pub(crate) const REQUIRED: &str = "required";
@@ -196,7 +197,7 @@ pub(crate) const fn one_of_the(count: usize) -> &'static str {
 }
 
 /// The tables at `path` below `root`, with their keys.
-pub(crate) fn tables_at<'v>(path: &str, root: &'v Value) -> Vec<(String, &'v Value)> {
+pub fn tables_at<'v>(path: &str, root: &'v Value) -> Vec<(String, &'v Value)> {
     let mut found = vec![(String::new(), root)];
     for segment in path.split('.').filter(|segment| !segment.is_empty()) {
         let below = |(key, value): (String, &'v Value)| entries(&key, value, segment);
@@ -207,7 +208,7 @@ pub(crate) fn tables_at<'v>(path: &str, root: &'v Value) -> Vec<(String, &'v Val
 }
 
 /// The values of the table `given` at `place` that are outside of their ranges: key, value as written, what is allowed.
-pub(crate) fn outside(
+pub fn outside(
     place: &str,
     given: &Value,
     ranges: impl Iterator<Item = (&'static str, Range)>,

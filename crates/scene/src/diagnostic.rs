@@ -217,8 +217,11 @@ impl SceneError {
         Self::new(finding, [])
     }
 
-    /// Nothing where there are no findings, otherwise an error of all of them.
-    pub(crate) fn of_all(findings: Vec<Finding>) -> Result<(), Self> {
+    /// Nothing where there are no findings.
+    ///
+    /// # Errors
+    /// All of them.
+    pub fn of_all(findings: Vec<Finding>) -> Result<(), Self> {
         if findings.is_empty() {
             return Ok(());
         }

@@ -14,7 +14,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::json;
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText, offset_of};
-pub(crate) use crate::dotted::child;
+pub use crate::dotted::child;
 use crate::host::Host;
 
 /// The two spellings of a scene.
@@ -245,7 +245,7 @@ impl Document {
     }
 
     /// A problem at a key, or at the nearest table around it that was written somewhere.
-    pub(crate) fn finding(&self, key: &str, part: Part, problem: SceneProblem) -> Finding {
+    pub fn finding(&self, key: &str, part: Part, problem: SceneProblem) -> Finding {
         let mut written = key;
         let place = loop {
             match self.places.get(written) {
@@ -276,7 +276,7 @@ impl Document {
     }
 
     /// Whether the entry `key` comes from an override.
-    pub(crate) fn is_overridden(&self, key: &str) -> bool {
+    pub fn is_overridden(&self, key: &str) -> bool {
         let place = self.places.get(key);
         place.is_some_and(|place| !Arc::ptr_eq(&place.source, &self.source))
     }

@@ -1,7 +1,7 @@
 //! Dotted keys, `table.key`.
 
 /// `parent.name`, or `name` at the top.
-pub(crate) fn child(parent: &str, name: impl std::fmt::Display) -> String {
+pub fn child(parent: &str, name: impl std::fmt::Display) -> String {
     if parent.is_empty() {
         name.to_string()
     } else {

@@ -66,17 +66,18 @@ pub(super) struct SceneFormat {
     pub(super) output: Output,
 }
 
+/// `[units]`: what results are shown in; base units where a key is missing.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
-pub(crate) struct UnitsFormat {
-    pub(crate) length: UnitName<Length>,
-    pub(crate) force: UnitName<Force>,
-    pub(crate) stress: UnitName<Stress>,
+pub struct UnitsFormat {
+    length: UnitName<Length>,
+    force: UnitName<Force>,
+    stress: UnitName<Stress>,
 }
 
 impl UnitsFormat {
     /// The units of results.
-    pub(crate) fn display(&self) -> DisplayUnits {
+    pub fn display(&self) -> DisplayUnits {
         let Self {
             length,
             force,

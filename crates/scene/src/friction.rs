@@ -59,8 +59,11 @@ pub(super) fn read(
         })
 }
 
-/// The law of a table that stands at `key` of any document.
-pub(crate) fn law(
+/// Reads the friction law of the table `friction` that stands at `key` of any document; `plies` are those of the laminate that it acts on, if it is one.
+///
+/// # Errors
+/// What is wrong with the table, at its place: an unknown law, a parameter that is missing, without its unit or out of its range.
+pub fn law(
     document: &Document,
     key: &str,
     table: &Value,

@@ -38,7 +38,6 @@ pub mod digest;
 pub mod document;
 mod dotted;
 mod examples;
-pub mod experiment;
 mod format;
 mod friction;
 pub mod host;
@@ -64,10 +63,9 @@ mod tests;
 
 /// The crates whose values documents are made of, and whose diagnostics errors are.
 pub use {miette, serde_json};
-/// The crates of bodies, laws, contacts, laminates, joints and measured data that scenes and experiments hold.
+/// The crates of bodies, laws, contacts, laminates and joints that scenes hold.
 pub use {
-    stickslip_contact, stickslip_fem_core, stickslip_friction, stickslip_hybrid, stickslip_joint,
-    stickslip_laminate,
+    stickslip_contact, stickslip_fem_core, stickslip_friction, stickslip_joint, stickslip_laminate,
 };
 
 pub use document::Format;

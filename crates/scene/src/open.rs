@@ -1,4 +1,8 @@
-//! Opens documents: the text of a file, its overrides, and what its keys say.
+//! What readers of documents share: the text of a file, its overrides, what its keys say, units of results and friction laws.
+//!
+//! ```text
+//! text_of ──► document ──► check_version ──► keys::<T> ──► values, refused by Document::error at their keys
+//! ```
 
 use std::io;
 use std::path::Path;
@@ -13,6 +17,9 @@ use crate::limits::Content;
 use crate::overrides;
 use crate::pattern;
 use crate::read::Reader;
+
+pub use crate::format::UnitsFormat;
+pub use crate::friction::law;
 
 /// Reads the text of a file of `host`. What it says of one that cannot be read comes from `problem`, by its path.
 ///

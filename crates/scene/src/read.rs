@@ -16,8 +16,8 @@ use super::document::{Part, child};
 use crate::diagnostic::SceneProblem;
 use crate::units::{QUANTITY_TAG, UNIT_TAG, Unit, dimensions_of_tag};
 
-pub(crate) use error::ReadError;
-pub(super) use error::{described, quantity};
+pub use error::quantity;
+pub(crate) use error::{ReadError, described};
 
 /// A value and the key under which it stands.
 #[derive(Clone, Copy, Debug)]

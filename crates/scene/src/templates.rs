@@ -1,42 +1,29 @@
-//! Commented scenes, and an experiment, to start from.
+//! Commented scenes to start from.
 
-/// What a template is, and so what comes next.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// A scene.
-    Scene,
-    /// An experiment.
-    Experiment,
-}
-
-/// A commented scene or experiment that comes with the program.
+/// A commented document that comes with the program.
 #[derive(Debug)]
 pub struct Template {
     /// Its name.
     pub name: &'static str,
     /// What it shows, in one line.
     pub summary: &'static str,
-    /// What it is.
-    pub kind: Kind,
     /// The text, TOML with comments.
     pub text: &'static str,
     /// Data files that it refers to, written beside it.
     pub data: &'static [(&'static str, &'static str)],
 }
 
-/// All templates.
-pub const TEMPLATES: [Template; 6] = [
+/// All templates of scenes.
+pub const TEMPLATES: [Template; 5] = [
     Template {
         name: "pin-loaded-plate",
         summary: "elastic pin in a plate of finite width, loaded and unloaded, static and dynamic friction",
-        kind: Kind::Scene,
         text: include_str!("templates/pin-loaded-plate.toml"),
         data: &[],
     },
     Template {
         name: "pin-infinite-plate",
         summary: "frictionless pin in an infinite plate, with the closed form to compare with",
-        kind: Kind::Scene,
         text: include_str!("templates/pin-infinite-plate.toml"),
         data: &[(
             "persson-ring5R-65deg.csv",
@@ -46,29 +33,19 @@ pub const TEMPLATES: [Template; 6] = [
     Template {
         name: "laminate-joint",
         summary: "pinned joint of a laminate: first ply, characteristic curve and the mode that governs",
-        kind: Kind::Scene,
         text: include_str!("templates/laminate-joint.toml"),
         data: &[],
     },
     Template {
         name: "hertz",
         summary: "cylinder pressed on a block of the same material, plane strain",
-        kind: Kind::Scene,
         text: include_str!("templates/hertz.toml"),
         data: &[],
     },
     Template {
         name: "open-hole",
         summary: "strip with a hole under tension, no contact",
-        kind: Kind::Scene,
         text: include_str!("templates/open-hole.toml"),
         data: &[],
-    },
-    Template {
-        name: "experiment",
-        summary: "measured displacements around a hole, from a table of your own, with a sample",
-        kind: Kind::Experiment,
-        text: include_str!("templates/experiment.toml"),
-        data: &[("experiment.csv", include_str!("templates/experiment.csv"))],
     },
 ];

@@ -34,5 +34,5 @@ pub use stickslip_scene::{self as scene, diagnostic, limits, units};
 pub mod experiment {
     pub use stickslip_measure::*;
     pub use stickslip_present::experiment::{check, report};
-    pub use stickslip_scene::experiment::*;
+    pub use stickslip_experiment::*;
 }

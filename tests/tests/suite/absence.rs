@@ -20,6 +20,7 @@ const LIBRARIES: &[&str] = &[
     "crates/text/src",
     "crates/report/src",
     "crates/scene/src",
+    "crates/experiment/src",
     "crates/engine/src",
     "crates/measure/src",
     "crates/present/src",
@@ -92,7 +93,7 @@ const PATHS: &[Absence] = &[
     Absence {
         what: "models and runs in the readers of scenes",
         marks: &["stickslip_engine"],
-        below: &["crates/scene/src"],
+        below: &["crates/scene/src", "crates/experiment/src"],
         except: &[],
     },
     Absence {
@@ -100,6 +101,7 @@ const PATHS: &[Absence] = &[
         marks: &["stickslip_present", "stickslip_report"],
         below: &[
             "crates/scene/src",
+            "crates/experiment/src",
             "crates/engine/src",
             "crates/measure/src",
         ],

@@ -10,7 +10,7 @@ use super::scale::{Residual, least_scale, residuals, scale};
 use super::workbench::Workbench;
 use crate::error::{ExperimentError, of_region};
 use crate::measured::Measured;
-use stickslip_scene::experiment::{FreeMotion, Hole, Method, Source};
+use stickslip_experiment::{FreeMotion, Hole, Method, Source};
 
 /// Displacements of the region's boundary, and how they were found.
 #[derive(Default)]

@@ -7,7 +7,7 @@ use super::{Analysed, BearingCheck, FitFacts};
 use crate::finding::{
     BearingFails, Check, Finding, FitFinding, ForceFinding, LoadFails, Located, Part,
 };
-use stickslip_scene::experiment::{Experiment, FreeMotion, Source};
+use stickslip_experiment::{Experiment, FreeMotion, Source};
 
 /// Standard deviations above its mean at which a χ² is reported as too large.
 const LARGE: f64 = 4.0;

@@ -11,8 +11,8 @@ use std::f64::consts::TAU;
 
 use super::Analysed;
 use crate::finding::NotCompared;
-use stickslip_scene::experiment::history::History;
-use stickslip_scene::experiment::{Experiment, RegionShape, Source};
+use stickslip_experiment::history::History;
+use stickslip_experiment::{Experiment, RegionShape, Source};
 
 /// Factor between force and load within which they agree.
 const FACTOR: f64 = 1.3;

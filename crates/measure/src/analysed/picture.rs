@@ -21,7 +21,7 @@ use super::Analysed;
 use super::boundary::Boundary;
 use super::edge::beyond_contact;
 use super::workbench::Workbench;
-use stickslip_scene::experiment::FreeMotion;
+use stickslip_experiment::FreeMotion;
 
 /// Pressures on the free edge by the error of the mesh, part of the hoop stress there.
 const MESH: f64 = 0.01;

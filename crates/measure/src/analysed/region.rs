@@ -15,7 +15,7 @@ use super::workbench::Workbench;
 use super::{Analysed, Checked, MisfitAt, NodalForce};
 use crate::error::{ExperimentError, of_reduction, of_region};
 use crate::measured::Measured;
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// Edge stresses of all states.
 ///

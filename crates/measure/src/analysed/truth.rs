@@ -2,7 +2,7 @@
 
 use crate::truth::Truth;
 use stickslip_engine::results::EdgeKind;
-use stickslip_scene::experiment::{Experiment, Source};
+use stickslip_experiment::{Experiment, Source};
 
 /// Stresses of the scene's solution at a place of the edge.
 #[derive(Clone, Copy, Debug, PartialEq)]

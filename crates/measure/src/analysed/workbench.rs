@@ -12,7 +12,7 @@ use super::edge::Edge;
 use crate::error::ExperimentError;
 use crate::measured::Measured;
 use crate::region_mesh::{EDGE, meshed};
-use stickslip_scene::experiment::{Area, Experiment, RegionPlan, RegionShape};
+use stickslip_experiment::{Area, Experiment, RegionPlan, RegionShape};
 
 /// A factorised region with the rows of its edge.
 #[derive(Debug)]

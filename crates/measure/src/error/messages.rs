@@ -5,7 +5,7 @@ use stickslip_hybrid::data::Field;
 use stickslip_hybrid::reduce::{ReduceError, Uncovered};
 use stickslip_hybrid::region::RegionError;
 
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// Nodes that are named.
 const SHOWN: usize = 3;

@@ -2,8 +2,8 @@
 
 use serde::{Serialize, Serializer};
 use stickslip_hybrid::identify::Bounds;
-use stickslip_scene::experiment::history::{History, Tied, Untied};
-use stickslip_scene::experiment::{Experiment, State};
+use stickslip_experiment::history::{History, Tied, Untied};
+use stickslip_experiment::{Experiment, State};
 use thiserror::Error;
 
 /// What slip zones show.

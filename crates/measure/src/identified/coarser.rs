@@ -10,7 +10,7 @@ use crate::analysed::Workbench;
 use crate::error::ExperimentError;
 use crate::finding::FrictionFinding;
 use crate::measured::Measured;
-use stickslip_scene::experiment::{Experiment, RegionShape};
+use stickslip_experiment::{Experiment, RegionShape};
 
 /// Fewest cells along and across a region.
 const FEWEST: usize = 2;

@@ -18,7 +18,7 @@ use stickslip_hybrid::identify::{IdentifyError, Tractions, simultaneous_quantile
 
 use super::zone::SlipZone;
 use crate::analysed::Analysed;
-use stickslip_scene::experiment::Identify;
+use stickslip_experiment::Identify;
 
 /// Resolved angles at either end of a slip zone whose stresses cannot be trusted: tractions and their derivatives jump there.
 pub(super) const MARGIN: f64 = 2.0;

@@ -7,7 +7,7 @@ use stickslip_friction::{StaticDynamic, Transition};
 use stickslip_hybrid::identify::{Bounds, SlipFit};
 
 use crate::laws::{Candidate, ContactModel, LawsError, sensitivity};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// Static over dynamic coefficient, and what it is changed to.
 pub const RATIOS: [f64; 2] = [1.4, 1.2];

@@ -9,7 +9,7 @@ use super::zone::SlipZone;
 use crate::analysed::Analysed;
 use crate::error::ExperimentError;
 use crate::finding::FrictionFinding;
-use stickslip_scene::experiment::{Experiment, ZonePlan};
+use stickslip_experiment::{Experiment, ZonePlan};
 
 /// Standard deviations by which χ² of a zone may exceed what it should be.
 const CONSISTENT: f64 = 3.0;

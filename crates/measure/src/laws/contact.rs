@@ -20,7 +20,7 @@ use stickslip_hybrid::region::locate::Locator;
 use super::{Candidate, LawsError, Observation};
 use stickslip_engine::model::{Model, ModelError};
 use stickslip_engine::run::{Operator, RunError, condense, solver};
-use stickslip_scene::experiment::SpecimenScene;
+use stickslip_experiment::SpecimenScene;
 use stickslip_scene::host::Host;
 use stickslip_scene::schema::{KinematicsChoice, ModelChoice};
 

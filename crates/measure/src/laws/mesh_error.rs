@@ -17,7 +17,7 @@ use stickslip_hybrid::calibrate::Amount;
 
 use super::observation::root_mean_square;
 use super::{ContactModel, LawsError, Observation, View};
-use stickslip_scene::experiment::SpecimenScene;
+use stickslip_experiment::SpecimenScene;
 use stickslip_scene::schema::MeshSettings;
 
 /// The error of the model's mesh in all states.

@@ -11,7 +11,7 @@ use stickslip_friction::{FrictionLaw, History, Place, PointStatus};
 use stickslip_hybrid::identify::chi_squared_of_one;
 
 use super::Fit;
-use stickslip_scene::experiment::SpecimenScene;
+use stickslip_experiment::SpecimenScene;
 
 /// Computes the coefficient |τ|/p `[1]` of a slipping point with slip path `slip` `[mm]`; `None` where it depends on the pressure as
 /// well, or is not finite.

@@ -1,7 +1,7 @@
 //! Data near the edge, gathered by angle: what one law leaves unexplained there is systematic, and shows in the means.
 
 use super::LawStage;
-use stickslip_scene::experiment::Hole;
+use stickslip_experiment::Hole;
 
 /// Data nearer to the edge than this part of its radius are gathered.
 const REACH: f64 = 0.3;

@@ -13,7 +13,7 @@ use std::collections::HashMap;
 use stickslip_hybrid::calibrate::Noise;
 
 use super::{Fit, Observation};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// States with one null field.
 #[derive(Clone, Debug, PartialEq)]

@@ -17,8 +17,8 @@ use crate::finding::{Finding, LeftOut, LeftOutReason, Located, ModelFinding};
 use crate::measured::Measured;
 use crate::truth::Truth;
 use stickslip_engine::run::Progress;
-use stickslip_scene::experiment::history::History;
-use stickslip_scene::experiment::{Experiment, Source, State};
+use stickslip_experiment::history::History;
+use stickslip_experiment::{Experiment, Source, State};
 
 /// Places of a state that are compared with predictions.
 const MOST_PLACES: usize = 1000;

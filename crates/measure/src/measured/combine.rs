@@ -10,7 +10,7 @@ use super::rotation::{self, TakenOff};
 use super::{Measured, PictureField, Reading, Scope};
 use crate::error::ExperimentError;
 use crate::finding::{Apart, Finding, Part, PictureFinding};
-use stickslip_scene::experiment::Source;
+use stickslip_experiment::Source;
 
 /// A state's field from its reading and that of its null field.
 pub(super) fn combined(

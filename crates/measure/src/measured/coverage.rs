@@ -10,7 +10,7 @@ use super::elsewhere::extent;
 use super::{Measured, Scope};
 use crate::error::{ExperimentError, at};
 use crate::region_mesh::meshed;
-use stickslip_scene::experiment::{Method, Source};
+use stickslip_experiment::{Method, Source};
 
 /// Data nearer than this many of their spacings cover a node.
 const SPACINGS: f64 = 3.0;

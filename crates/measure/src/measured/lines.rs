@@ -6,7 +6,7 @@ use super::rotation::of_lines;
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
 use crate::finding::{Finding, LineFinding};
-use stickslip_scene::experiment::LineSource;
+use stickslip_experiment::LineSource;
 use stickslip_scene::limits::Content;
 
 /// What tables of fringe centres say.

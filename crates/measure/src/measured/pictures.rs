@@ -10,7 +10,7 @@ use super::phase::{FieldInput, orders};
 use super::{Reading, Scope};
 use crate::error::ExperimentError;
 use crate::synthesis::FieldPictures;
-use stickslip_scene::experiment::PictureSource;
+use stickslip_experiment::PictureSource;
 use stickslip_scene::limits::Content;
 
 /// Orders of synthetic pictures.

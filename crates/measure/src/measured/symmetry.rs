@@ -6,7 +6,7 @@ use stickslip_hybrid::data::{DataError, Field, FringeLine, FringeLines, Symmetry
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
 use crate::finding::{BackFinding, Finding};
-use stickslip_scene::experiment::SymmetryPlan;
+use stickslip_experiment::SymmetryPlan;
 
 /// What a comparison found.
 #[derive(Default)]

@@ -6,7 +6,7 @@ use stickslip_hybrid::data::{DataError, Field, Measurement, Rows, Unit, YAxis};
 use super::{Measured, Reading, Scope, range, rotation, scatter};
 use crate::error::ExperimentError;
 use crate::finding::{FieldFinding, Finding, TableFinding, Worst};
-use stickslip_scene::experiment::TableSource;
+use stickslip_experiment::TableSource;
 use stickslip_scene::limits::Content;
 use stickslip_scene::units::{Dimension, Expected, parse};
 

@@ -14,7 +14,7 @@ use stickslip_hybrid::region::outline::boundary_edges;
 
 use crate::error::ExperimentError;
 use stickslip_engine::model::BYTES_PER_NODE;
-use stickslip_scene::experiment::{Hole, MeshPlan};
+use stickslip_experiment::{Hole, MeshPlan};
 use stickslip_scene::host::Host;
 use stickslip_scene::limits::Content;
 

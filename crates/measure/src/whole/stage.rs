@@ -5,8 +5,8 @@ use crate::analysed::Analysed;
 use crate::error::ExperimentError;
 use crate::finding::ModelFinding;
 use crate::measured::Measured;
-use stickslip_scene::experiment::Experiment;
-use stickslip_scene::experiment::history::History;
+use stickslip_experiment::Experiment;
+use stickslip_experiment::history::History;
 
 /// The whole plate in one state.
 #[derive(Clone, Debug, PartialEq)]

@@ -16,7 +16,7 @@ use crate::experiment::findings::shown;
 use crate::experiment::report::ExperimentReport;
 use stickslip_measure::analysed::{Analysed, TruePlace, UNUSED, free_in_region_only, true_edge};
 use stickslip_measure::truth::Truth;
-use stickslip_scene::experiment::{Experiment, Method, RegionShape};
+use stickslip_experiment::{Experiment, Method, RegionShape};
 use stickslip_text::{short, significant};
 
 /// Reports the edge stresses of all states.

@@ -9,7 +9,7 @@ use stickslip_measure::analysed::Workbench;
 use stickslip_measure::finding::{Level, Located, ignored_keys};
 use stickslip_measure::measured::{self, Measured};
 use stickslip_measure::synthesis::Shots;
-use stickslip_scene::experiment::{Experiment, RegionShape, Source};
+use stickslip_experiment::{Experiment, RegionShape, Source};
 use stickslip_text::short;
 
 /// What an experiment says.

@@ -5,7 +5,7 @@ mod edge;
 mod friction;
 
 use stickslip_measure::finding::{Finding, Level, Located, Part};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 use stickslip_scene::units::Unit;
 use stickslip_text::short;
 

@@ -19,7 +19,7 @@ use stickslip_report::table::Table;
 use super::report::ExperimentReport;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::synthesis::{Camera, Shot, Shots};
-use stickslip_scene::experiment::{Experiment, State};
+use stickslip_experiment::{Experiment, State};
 use stickslip_scene::units::Unit;
 use stickslip_text::{counted, short};
 
@@ -219,7 +219,7 @@ impl<'a> Gallery<'a> {
     }
 }
 
-fn exposure_levels(fringes: &stickslip_scene::experiment::Fringes) -> f64 {
+fn exposure_levels(fringes: &stickslip_experiment::Fringes) -> f64 {
     fringes.depth.full_scale() + 1.0
 }
 

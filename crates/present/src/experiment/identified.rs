@@ -15,7 +15,7 @@ use stickslip_measure::identified::{
     CONSISTENT, Grip, Identified, SlipZone, describe_bounds, ratio, static_friction,
 };
 use stickslip_measure::truth::Truth;
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// What is said of either coefficient where nothing touches the edge.
 const NO_CONTACT: &str = "no pressure on the edge: no contact, no friction to identify";

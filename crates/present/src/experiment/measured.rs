@@ -16,7 +16,7 @@ use crate::experiment::gallery::caption;
 use crate::experiment::report::ExperimentReport;
 pub(super) use signs::signs;
 use stickslip_measure::measured::{Measured, repeated};
-use stickslip_scene::experiment::{Experiment, Method, Source, State};
+use stickslip_experiment::{Experiment, Method, Source, State};
 use stickslip_text::{counted, short, significant};
 
 /// Reports the measured fields of all states.

@@ -13,7 +13,7 @@ use thiserror::Error;
 use super::findings::sentence;
 use crate::PutFile;
 use stickslip_measure::finding::{Level, Located};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// Why a report cannot be written.
 #[derive(Debug, Error)]

@@ -14,7 +14,7 @@ use stickslip_measure::chain::Edges;
 use stickslip_measure::finding::Located;
 use stickslip_measure::identified::{Identified, describe_bounds};
 use stickslip_measure::whole::WholeState;
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 use stickslip_text::short;
 
 /// Reports the whole plate; nothing without a state of it.

@@ -6,7 +6,7 @@ use crate::units::{Dimension, Expected, parse};
 
 /// What a number, the base value of a quantity or a list must be.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Range {
+pub enum Range {
     /// An integer from one to another.
     Counts(u32, u32),
     /// A list that is not empty, and what messages allow.
@@ -17,15 +17,16 @@ pub(crate) enum Range {
         shown: &'static str,
         /// As messages say it.
         allowed: &'static str,
+        /// Whether a number in base units is allowed.
         holds: fn(f64) -> bool,
     },
 }
 
 /// Greater than 0.
-pub(crate) const POSITIVE: Range = numbers(" > 0", "greater than 0", |value| value > 0.0);
+pub const POSITIVE: Range = numbers(" > 0", "greater than 0", |value| value > 0.0);
 
 /// From `first` to `last`.
-pub(crate) const fn counts(first: u32, last: u32) -> Range {
+pub const fn counts(first: u32, last: u32) -> Range {
     Range::Counts(first, last)
 }
 
@@ -34,8 +35,8 @@ pub(crate) const fn filled(allowed: &'static str) -> Range {
     Range::Filled(allowed)
 }
 
-/// Numbers for which `holds`.
-pub(crate) const fn numbers(
+/// Numbers for which `holds`; tables show them as `shown` after the type, and messages say what is `allowed`.
+pub const fn numbers(
     shown: &'static str,
     allowed: &'static str,
     holds: fn(f64) -> bool,

@@ -12,7 +12,7 @@ use crate::document::child;
 use crate::examples::example;
 use crate::format::SceneFormat;
 use crate::read::Reader;
-use crate::templates::{Kind as TemplateKind, TEMPLATES};
+use crate::templates::TEMPLATES;
 use crate::units::Expected;
 
 fn names(table: &Table) -> BTreeSet<String> {
@@ -59,10 +59,8 @@ fn parse(text: &str) -> Value {
 
 /// The scenes among the templates.
 fn scenes() -> Vec<Value> {
-    let scenes = TEMPLATES
-        .iter()
-        .filter(|template| template.kind == TemplateKind::Scene);
-    scenes.map(|template| parse(template.text)).collect()
+    let texts = TEMPLATES.iter().map(|template| template.text);
+    texts.map(parse).collect()
 }
 
 #[test]

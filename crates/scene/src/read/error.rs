@@ -150,8 +150,11 @@ fn in_words(found: Unexpected<'_>) -> String {
     }
 }
 
-/// The quantity `value` in base units.
-pub(crate) fn quantity(value: &Value, expected: &Expected) -> Result<f64, Box<SceneProblem>> {
+/// Reads the quantity `value`, a text with its unit, in base units.
+///
+/// # Errors
+/// A value of another kind, no unit, an unknown one, or one of a dimension that is not `expected`.
+pub fn quantity(value: &Value, expected: &Expected) -> Result<f64, Box<SceneProblem>> {
     let text = match value {
         Value::String(text) => text.clone(),
         Value::Number(number) => number.to_string(),

@@ -23,8 +23,8 @@ use stickslip_present::experiment::report;
 use stickslip_scene::Format;
 use stickslip_scene::diagnostic::{SceneError, SourceText};
 use stickslip_scene::document::Document;
-use stickslip_scene::experiment::Experiment;
-use stickslip_scene::experiment::RegionShape;
+use stickslip_experiment::Experiment;
+use stickslip_experiment::RegionShape;
 use stickslip_scene::limits::Content;
 
 #[derive(Debug, Args)]

@@ -9,7 +9,8 @@ use super::console::Console;
 use super::failure::{CommandError, Failure};
 use crate::folder::{FolderError, write_new};
 use stickslip_scene::Format;
-use stickslip_scene::templates::{Kind, TEMPLATES, Template};
+use stickslip_experiment::templates::TEMPLATES as EXPERIMENTS;
+use stickslip_scene::templates::{TEMPLATES as SCENES, Template};
 
 #[derive(Debug, Args)]
 pub(super) struct InitArguments {
@@ -19,15 +20,16 @@ pub(super) struct InitArguments {
     file: Option<PathBuf>,
 }
 
+/// All templates.
+pub(super) fn templates() -> impl Iterator<Item = &'static Template> {
+    SCENES.iter().chain(&EXPERIMENTS)
+}
+
 pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Failure> {
-    let Some(template) = TEMPLATES
-        .iter()
-        .find(|template| template.name == arguments.template)
-    else {
+    let Some(template) = templates().find(|template| template.name == arguments.template) else {
         return Err(CommandError::UnknownTemplate {
             name: arguments.template.clone(),
-            known: TEMPLATES
-                .iter()
+            known: templates()
                 .map(|template| template.name.to_owned())
                 .collect(),
         }
@@ -64,9 +66,11 @@ pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Fa
         .iter()
         .map(|(path, _)| path.display().to_string())
         .collect();
-    let next = match template.kind {
-        Kind::Scene => "check",
-        Kind::Experiment => "reduce",
+    let mut scenes = SCENES.iter();
+    let next = if scenes.any(|scene| scene.name == template.name) {
+        "check"
+    } else {
+        "reduce"
     };
     console.result(
         || {
@@ -140,31 +144,31 @@ mod tests {
     use super::*;
     use crate::host::HOST;
     use stickslip_scene::Scene;
-    use stickslip_scene::experiment::Experiment;
+    use stickslip_experiment::Experiment;
 
     #[test]
     fn every_template_is_valid_as_it_stands() {
-        let folder = Path::new(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../scene/src/templates"
-        ));
-        for template in &TEMPLATES {
-            let name = format!("{}.toml", template.name);
-            let (text, none) = (template.text, &[] as &[&str]);
-            let checked = match template.kind {
-                Kind::Scene => Scene::from_text_on(text, Format::Toml, &name, folder, none, HOST)
-                    .map(|scene| (scene.title, scene.description)),
-                Kind::Experiment => {
-                    Experiment::from_text(text, Format::Toml, &name, folder, none, HOST)
-                        .map(|experiment| (experiment.title, experiment.description))
-                }
-            };
+        let crates = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        let none = &[] as &[&str];
+        let scene = |text: &str, name: &str| {
+            let folder = crates.join("scene/src/templates");
+            Scene::from_text_on(text, Format::Toml, name, &folder, none, HOST)
+                .map(|scene| (scene.title, scene.description))
+        };
+        let experiment = |text: &str, name: &str| {
+            let folder = crates.join("experiment/src/templates");
+            Experiment::from_text(text, Format::Toml, name, &folder, none, HOST)
+                .map(|experiment| (experiment.title, experiment.description))
+        };
+        let scenes = SCENES.iter().map(|own| (own, scene(own.text, own.name)));
+        let experiments = EXPERIMENTS
+            .iter()
+            .map(|own| (own, experiment(own.text, own.name)));
+        for (template, checked) in scenes.chain(experiments) {
             let (title, description) =
                 checked.unwrap_or_else(|error| panic!("{}", error.render(100, false)));
-            assert!(
-                text.lines().filter(|line| line.contains('#')).count() >= 8,
-                "{name}: comments"
-            );
+            let comments = template.text.lines().filter(|line| line.contains('#'));
+            assert!(comments.count() >= 8, "{}: comments", template.name);
             assert!(description.is_some() && title != template.name);
         }
     }

@@ -15,8 +15,8 @@ use stickslip_laminate::progressive::point_models;
 
 use super::console::Console;
 use super::failure::Failure;
+use super::init::templates;
 use stickslip_present::results::{signs, signs_table};
-use stickslip_scene::templates::TEMPLATES;
 use stickslip_scene::units::Dimension;
 
 #[derive(Debug, Args)]
@@ -106,8 +106,7 @@ fn text(topic: Topic) -> String {
             parameters_text("Point models, for failure.progressive.model.NAME", rows)
         }
         Topic::Templates => {
-            let rows = TEMPLATES
-                .iter()
+            let rows = templates()
                 .map(|template| (template.name.to_owned(), template.summary.to_owned()));
             table("Templates, for `stickslip init NAME`", rows)
         }
@@ -218,8 +217,7 @@ fn value(topic: Topic) -> Value {
         Topic::Models => point_models()
             .map(|model| parameters_value((model.name, model.summary, model.parameters)))
             .collect(),
-        Topic::Templates => TEMPLATES
-            .iter()
+        Topic::Templates => templates()
             .map(|template| json!({ "name": template.name, "summary": template.summary }))
             .collect(),
         Topic::Presets => presets::value(),

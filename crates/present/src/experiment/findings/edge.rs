@@ -3,7 +3,7 @@
 use stickslip_measure::finding::{
     BearingFails, Check, FitFinding, ForceFinding, LoadFails, NotCompared,
 };
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 use stickslip_text::{short, significant};
 
 use super::shown;

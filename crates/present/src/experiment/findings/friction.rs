@@ -3,7 +3,7 @@
 use stickslip_hybrid::identify::Bounds;
 use stickslip_measure::finding::{FrictionFinding, ModelFinding};
 use stickslip_measure::identified::describe_bounds;
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 use stickslip_text::short;
 
 pub(super) fn of_zones(finding: &FrictionFinding) -> String {

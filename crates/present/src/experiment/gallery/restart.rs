@@ -7,7 +7,7 @@ use stickslip_hybrid::data::Field;
 
 use super::{FOLDER, letter};
 use stickslip_measure::synthesis::{Camera, Shot, file_names};
-use stickslip_scene::experiment::{Experiment, Fringes, RegionShape, Source};
+use stickslip_experiment::{Experiment, Fringes, RegionShape, Source};
 
 /// The text of the file, which will stand in the result folder `folder`.
 ///

@@ -11,7 +11,7 @@ use crate::experiment::analysed::figures::{TRUTH, angle_axis, truth_within};
 use crate::experiment::gallery::caption;
 use stickslip_measure::analysed::{Analysed, TruePlace};
 use stickslip_measure::identified::{Identified, ratio};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 const WIDTH: f64 = 760.0;
 /// Ratios whose standard deviation is larger say nothing and would hide the others.

@@ -11,7 +11,7 @@ use stickslip_report::svg::Svg;
 
 use crate::experiment::gallery::caption;
 use stickslip_measure::laws::{Fit, LawStage, Ring};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// Profiles are drawn up to this many times their limit.
 const HEIGHT: f64 = 3.0;

@@ -7,7 +7,7 @@ use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// Places along the slip path.
 const PLACES: usize = 60;

@@ -11,7 +11,7 @@ use stickslip_report::svg::Svg;
 
 use crate::experiment::gallery::{caption, edge_of_hole, edges, picture_plot};
 use stickslip_measure::measured::{Measured, PictureField};
-use stickslip_scene::experiment::Experiment;
+use stickslip_experiment::Experiment;
 
 /// Width of one map \[px\].
 const WIDTH: f64 = 430.0;

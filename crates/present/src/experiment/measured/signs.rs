@@ -2,7 +2,7 @@
 
 use stickslip_hybrid::data::YAxis;
 
-use stickslip_scene::experiment::{
+use stickslip_experiment::{
     Experiment, LineSource, PictureSource, Source, State, TableSource,
 };
 

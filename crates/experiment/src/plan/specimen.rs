@@ -7,14 +7,14 @@ use serde_json::{Map, Value, json};
 use stickslip_fem_core::material::PlaneState;
 
 use super::refuse::{Refuse, place};
-use crate::diagnostic::{SceneError, SceneProblem, one_of};
-use crate::document::Part;
-use crate::experiment::format::{ExperimentFormat, HoleFormat, SpecimenFormat};
-use crate::experiment::{Hole, Specimen, SpecimenScene};
-use crate::placement::circle_centre as centre_of;
-use crate::schema::Substance;
-use crate::shape::Role;
-use crate::{Format, Scene};
+use stickslip_scene::diagnostic::{SceneError, SceneProblem, one_of};
+use stickslip_scene::document::Part;
+use crate::format::{ExperimentFormat, HoleFormat, SpecimenFormat};
+use crate::{Hole, Specimen, SpecimenScene};
+use stickslip_scene::placement::circle_centre as centre_of;
+use stickslip_scene::schema::Substance;
+use stickslip_scene::shape::Role;
+use stickslip_scene::{Format, Scene};
 
 /// Name of the material and body in the scene that a specimen without one is read through.
 const OWN: &str = "specimen";
@@ -273,7 +273,7 @@ fn small_scene(
         body["thickness"] = thickness.text().into();
     }
     json!({
-        "version": crate::VERSION,
+        "version": stickslip_scene::VERSION,
         "analysis": { "plane": given.plane.unwrap_or(PlaneState::Stress) },
         "plies": plies,
         "materials": { OWN: material },

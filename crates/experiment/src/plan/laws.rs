@@ -3,13 +3,13 @@
 use serde_json::Value;
 
 use super::refuse::Refuse;
-use crate::diagnostic::SceneError;
-use crate::document::child;
-use crate::experiment::format::LawFormat;
-use crate::experiment::{Candidate, FreeParameter, LawPlan, Specimen};
-use crate::friction::law as read_law;
-use crate::schema::Material;
-use crate::units::{Dimension, Expected, parse};
+use stickslip_scene::diagnostic::SceneError;
+use stickslip_scene::document::child;
+use crate::format::LawFormat;
+use crate::{Candidate, FreeParameter, LawPlan, Specimen};
+use stickslip_scene::open::law as read_law;
+use stickslip_scene::schema::Material;
+use stickslip_scene::units::{Dimension, Expected, parse};
 
 pub(super) fn read(
     refuse: Refuse<'_>,

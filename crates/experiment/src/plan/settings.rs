@@ -7,16 +7,16 @@ use stickslip_fem_core::mesh::ElementKind;
 use stickslip_hybrid::region::fit::{Amount, Smoothing};
 
 use super::refuse::{Refuse, place};
-use crate::diagnostic::SceneError;
-use crate::experiment::format::{
+use stickslip_scene::diagnostic::SceneError;
+use crate::format::{
     FreeFormat, IdentifyFormat, MethodFormat, OutliersFormat, ReduceFormat, RegionFormat,
     SectorFormat, SmoothingFormat, SymmetryFormat,
 };
-use crate::experiment::{
+use crate::{
     FreeMotion, Hole, Identify, MeshPlan, Method, Reduce, RegionPlan, RegionShape, SectorPlan,
     State, SymmetryPlan, ZonePlan,
 };
-use crate::units::{Length, Quantity};
+use stickslip_scene::units::{Length, Quantity};
 
 /// Part of the cross-validated smoothing that keeps the bias of stresses below half of their noise.
 const SHARE: f64 = 0.4;

@@ -7,7 +7,7 @@ use serde_json::Value;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::PlaceFormat;
-use crate::units::{Angle, Length, Quantity};
+use stickslip_scene::units::{Angle, Length, Quantity};
 
 /// A part of the plane: a disc, or an upright rectangle.
 #[derive(Debug, Deserialize)]

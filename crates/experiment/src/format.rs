@@ -7,8 +7,8 @@ use serde::Deserialize;
 use serde_json::{Map, Value};
 use stickslip_fem_core::material::PlaneState;
 
-use crate::format::UnitsFormat;
-use crate::units::{Angle, Length, PerLength, Quantity};
+use stickslip_scene::open::UnitsFormat;
+use stickslip_scene::units::{Angle, Length, PerLength, Quantity};
 
 pub(super) use settings::{
     FreeFormat, IdentifyFormat, LawFormat, MaskFormat, MethodFormat, OutliersFormat, ReduceFormat,

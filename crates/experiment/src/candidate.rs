@@ -5,10 +5,10 @@ use stickslip_friction::{Dimension, FrictionLaw, History, Mirror, Place, PointSt
 use stickslip_hybrid::calibrate::Parameter;
 use thiserror::Error;
 
-use crate::diagnostic::SceneProblem;
-use crate::experiment::LawPlan;
-use crate::read::quantity;
-use crate::units::{self, Expected};
+use stickslip_scene::diagnostic::SceneProblem;
+use crate::LawPlan;
+use stickslip_scene::read::quantity;
+use stickslip_scene::units::{self, Expected};
 
 /// Ranges with ends so far apart are divided evenly in the logarithm.
 const DECADES: f64 = 20.0;

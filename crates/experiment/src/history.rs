@@ -4,9 +4,9 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::{Direction, Source, State};
-use crate::Scene;
-use crate::schema::{Load, LoadKind};
-use crate::units::Unit;
+use stickslip_scene::Scene;
+use stickslip_scene::schema::{Load, LoadKind};
+use stickslip_scene::units::Unit;
 
 /// The load steps of a scene that a state is compared with.
 #[derive(Debug, PartialEq)]
@@ -166,9 +166,9 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::Format;
-    use crate::experiment::Experiment;
-    use crate::host::{Host, MemoryFiles};
+    use stickslip_scene::Format;
+    use crate::Experiment;
+    use stickslip_scene::host::{Host, MemoryFiles};
 
     #[test]
     fn forces_are_reported_in_the_units_of_the_experiment() {

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::declaration::{POSITIVE, Range, counts, numbers, outside, tables_at};
-use crate::diagnostic::{SceneError, SceneProblem};
-use crate::document::{Document, Part};
+use stickslip_scene::declaration::{POSITIVE, Range, counts, numbers, outside, tables_at};
+use stickslip_scene::diagnostic::{SceneError, SceneProblem};
+use stickslip_scene::document::{Document, Part};
 
 /// Keys of a table with the ranges of their values.
 type Ranges = &'static [(&'static str, Range)];

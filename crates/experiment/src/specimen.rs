@@ -6,8 +6,8 @@ use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::fringe;
 
-use crate::Scene;
-use crate::schema::{Material, SetRef};
+use stickslip_scene::Scene;
+use stickslip_scene::schema::{Material, SetRef};
 
 /// What was measured.
 #[derive(Clone, Debug)]

@@ -8,16 +8,16 @@ use stickslip_hybrid::moire::Grating;
 
 use super::refuse::{Refuse, gradient};
 use super::{Experiment, VERSION, laws, ranges, settings, specimen, states, unused};
-use crate::diagnostic::{SceneError, SceneProblem, SourceText};
-use crate::digest::sha256;
-use crate::experiment::format::{
+use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText};
+use stickslip_scene::digest::sha256;
+use crate::format::{
     ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, SeriesFormat,
 };
-use crate::experiment::{Fringes, Reduce, Specimen, State};
-use crate::format::UnitsFormat;
-use crate::host::Host;
-use crate::schema::DisplayUnits;
-use crate::{Format, open};
+use crate::{Fringes, Reduce, Specimen, State};
+use stickslip_scene::open::UnitsFormat;
+use stickslip_scene::host::Host;
+use stickslip_scene::schema::DisplayUnits;
+use stickslip_scene::{Format, open};
 
 impl Experiment {
     /// Reads and checks a file of `host`, JSON if its name ends in `.json` and otherwise TOML, with the overrides `key=value` applied in

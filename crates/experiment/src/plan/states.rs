@@ -7,13 +7,13 @@ use std::path::Path;
 use stickslip_hybrid::moire::Grating;
 
 use super::refuse::Refuse;
-use crate::diagnostic::SceneError;
-use crate::experiment::format::{
+use stickslip_scene::diagnostic::SceneError;
+use crate::format::{
     ForceFormat, LinesFormat, PicturesFormat, SourceFormat, StateFormat, TableFormat,
 };
-use crate::experiment::history::History;
-use crate::experiment::{Direction, Fringes, Source, Specimen, State};
-use crate::units::Quantity;
+use crate::history::History;
+use crate::{Direction, Fringes, Source, Specimen, State};
+use stickslip_scene::units::Quantity;
 
 /// Longest name of a state, which is a part of file names.
 const LONGEST_NAME: usize = 64;

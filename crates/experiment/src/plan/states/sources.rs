@@ -7,13 +7,13 @@ use stickslip_hybrid::data::{self, LineReading, Reading, Track, YAxis};
 
 use super::super::refuse::{gradient, place};
 use super::Scope;
-use crate::diagnostic::SceneError;
-use crate::experiment::format::{
+use stickslip_scene::diagnostic::SceneError;
+use crate::format::{
     AxisFormat, ColumnsFormat, FilesFormat, LinesFormat, PicturesFormat, PresetFormat, TableFormat,
     TrackFormat,
 };
-use crate::experiment::{LineSource, PictureSource, Source, TableSource};
-use crate::units::{Length, Quantity};
+use crate::{LineSource, PictureSource, Source, TableSource};
+use stickslip_scene::units::{Length, Quantity};
 
 /// Standard deviation of fringe orders that are read to a quarter of a fringe: uniform in ±¼, ¼/√3.
 const QUARTER_FRINGE: f64 = 0.144_337_567_297_406_44;

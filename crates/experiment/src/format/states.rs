@@ -7,8 +7,8 @@ use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::{CarriersFormat, PlaceFormat};
-use crate::experiment::Direction;
-use crate::units::{Force, Length, Quantity};
+use crate::Direction;
+use stickslip_scene::units::{Force, Length, Quantity};
 
 /// One state of the experiment.
 #[derive(Debug, Deserialize)]

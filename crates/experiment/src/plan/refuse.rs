@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use crate::diagnostic::{SceneError, SceneProblem};
-use crate::document::{Document, Part};
-use crate::experiment::Area;
-use crate::experiment::format::{MaskFormat, PlaceFormat};
-use crate::units::{PerLength, Quantity};
+use stickslip_scene::diagnostic::{SceneError, SceneProblem};
+use stickslip_scene::document::{Document, Part};
+use crate::Area;
+use crate::format::{MaskFormat, PlaceFormat};
+use stickslip_scene::units::{PerLength, Quantity};
 
 /// Makes errors at keys of the file.
 #[derive(Clone, Copy)]

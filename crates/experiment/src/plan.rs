@@ -15,11 +15,11 @@ use serde_json::{Map, Value};
 use stickslip_hybrid::moire::Grating;
 
 use super::{Fringes, Identify, LawPlan, Reduce, RegionPlan, Specimen, State};
-use crate::diagnostic::{SceneError, SceneProblem};
-use crate::document::{Document, Part};
-use crate::host::Host;
-use crate::limits::Limits;
-use crate::schema::DisplayUnits;
+use stickslip_scene::diagnostic::{SceneError, SceneProblem};
+use stickslip_scene::document::{Document, Part};
+use stickslip_scene::host::Host;
+use stickslip_scene::limits::Limits;
+use stickslip_scene::schema::DisplayUnits;
 
 pub use unused::IgnoredKey;
 
@@ -30,7 +30,7 @@ pub const VERSION: u64 = 1;
 ///
 /// ```
 /// use std::path::Path;
-/// use stickslip_scene::experiment::Experiment;
+/// use stickslip_experiment::Experiment;
 /// use stickslip_scene::Format;
 /// use stickslip_scene::host::Host;
 ///
