@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use stickslip_engine::run::run;
+use stickslip_engine::run::{run_with, solver};
 use stickslip_scene::{Format, Scene};
 
 const TEXT: &str = r#"
@@ -38,7 +38,8 @@ force = { direction = [-1, 0], steps = ["2 kN", "4 kN", "1 kN"] }
 fn main() -> Result<(), Box<dyn Error>> {
     let overrides: [&str; 0] = [];
     let scene = Scene::from_text(TEXT, Format::Toml, "pin.toml", Path::new(""), &overrides)?;
-    let results = run(&scene, &mut |_| {})?;
+    let solver = solver(scene.analysis.solver);
+    let results = run_with(&scene, solver.as_ref(), &mut |_| {})?;
     for (index, step) in results.steps.iter().enumerate() {
         let hole = &step.edges[0].rows;
         let pressure = hole.iter().map(|row| row.pressure).fold(0.0, f64::max);

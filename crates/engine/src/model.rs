@@ -47,7 +47,7 @@ pub use request::{FailingBody, FailureRequest, FollowedJoint, Request};
 pub(crate) use room::parts;
 
 use plan::Plan;
-pub(crate) use plan::Seat;
+pub use plan::Seat;
 pub use sets::{Measure, ModelSet};
 pub use singular::Singular;
 
@@ -355,7 +355,10 @@ impl Model {
 
     /// As [`build`](Self::build), with the bodies by series of `known` where their nodes are the same, whose scene differs in nothing else that they depend on. `seats` are those of
     /// contacts, of as many as are known.
-    pub(crate) fn build_on(
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    pub fn build_on(
         scene: &Scene,
         known: Option<&Self>,
         seats: &[Option<Seat>],
@@ -477,16 +480,21 @@ impl Model {
     ///
     /// # Errors
     /// [`ModelError`] where their number is not that of the steps, or one is zero.
-    pub(crate) fn divide_history(&mut self, substeps: &[usize]) -> Result<(), ModelError> {
+    pub fn divide_history(&mut self, substeps: &[usize]) -> Result<(), ModelError> {
         let (steps, ramp) = (self.history.steps().to_vec(), self.history.ramp());
         self.history = LoadHistory::divided(steps, substeps.to_vec(), ramp)?;
         Ok(())
     }
 
     /// The coordinate in which the mirror halves differ of the body with the index `body`, whose failure is asked about.
-    pub(crate) fn across(&self, body: usize) -> Option<usize> {
+    pub fn across(&self, body: usize) -> Option<usize> {
         let failing = &self.request.failure.as_ref()?.bodies;
         Some(failing.iter().find(|own| own.body == body)?.across)
+    }
+
+    /// The edge of the contact with the index `pair`, that of its first body.
+    pub fn edge_of(&self, pair: usize) -> Option<&ModelEdge> {
+        self.edges.iter().find(|edge| edge.pair == Some(pair))
     }
 
     /// Whether stresses of the body with the index `body` are asked about in every step: for its failure or for its yield.

@@ -34,7 +34,7 @@ pub use finding::{
     FurtherSolvers, JointFinding, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 
-pub(crate) use nodes::{Nodes, Values, joined, values};
+pub use nodes::{Nodes, Values, joined, values};
 
 pub use frame::wrapped;
 pub use frame::{BearingSource, ContactFrame};

@@ -1,5 +1,6 @@
 //! Solves a scene: condense the bodies, follow the load history, recover what is reported.
 
+mod assembled;
 mod bearing;
 mod blocks;
 mod doubts;
@@ -7,33 +8,31 @@ mod edges;
 mod failure;
 mod fasteners;
 mod fields;
-mod ladder;
-mod peaks;
 mod progressive;
 mod remarks;
 mod reported;
-mod seats;
+pub mod seats;
 mod sets;
 mod solved;
 mod stresses;
-
-use std::sync::Arc;
+mod thinned;
 
 use stickslip_contact::history::Otherwise;
 use stickslip_contact::interface::Group;
 use stickslip_contact::{ContactError, Contacts, Interface, InterfaceSolver, StepRecord};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::body::BodyError;
-use stickslip_fem_core::parallel;
 use stickslip_fem_core::stress::StressError;
 use stickslip_laminate::FailureError;
 use thiserror::Error;
 
+pub use assembled::{Assembled, condense};
 pub use progressive::ProgressiveRunError;
 pub use solved::{Operator, OwnNodes, Solved};
+pub use thinned::follow_thinned;
 
 use crate::load_scale::LoadScale;
-use crate::model::{self, Model, ModelBodyKind, ModelError};
+use crate::model::{self, Model, ModelError};
 use crate::results::{
     BodySummary, Choice, EdgeGeometry, EdgeResults, FastenerStep, Finding, ResultPart, Results,
     StepNotes, StepResults,
@@ -98,21 +97,8 @@ pub enum Progress {
     },
 }
 
-/// Runs `scene` and reports to `progress`. Where the scene asks for an accuracy or gives no mesh, finer and finer models are tried until their
-/// estimated errors meet it.
-///
-/// # Errors
-/// [`RunError`].
-pub fn run(scene: &Scene, progress: &mut dyn FnMut(Progress)) -> Result<Results, RunError> {
-    let solver = solver(scene.analysis.solver);
-    if scene.seeks_accuracy() {
-        ladder::climb(scene, solver.as_ref(), progress)
-    } else {
-        run_with(scene, solver.as_ref(), progress)
-    }
-}
-
-/// Runs `scene` with a contact solver of the caller's choice instead of the scene's, and reports to `progress`.
+/// Runs `scene` on the one model that it describes with a contact solver of the caller's choice, [`solver`] of the scene's or another one, and reports to
+/// `progress`. An accuracy that the scene asks for is left to `stickslip-ladder`.
 ///
 /// # Errors
 /// [`RunError`].
@@ -144,37 +130,10 @@ pub fn solve(
         operators,
         interface,
         phases,
-    } = assemble(model, progress)?;
+    } = Assembled::of(model, progress)?;
     let mut solved = follow(model, operators, interface, solver, progress)?;
     solved.phases.splice(0..0, phases);
     Ok(solved)
-}
-
-/// The condensed bodies of a model and their interface problem, with the wall time of both `[s]`.
-struct Assembled {
-    operators: Vec<Operator>,
-    interface: Interface,
-    phases: [(&'static str, f64); 2],
-}
-
-fn assemble(model: &Model, progress: &mut dyn FnMut(Progress)) -> Result<Assembled, RunError> {
-    progress(Progress::Phase("factorisation"));
-    let start = model.host.seconds();
-    let operators = condense(model)?;
-    let condensed = model.host.seconds() - start;
-    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
-    let interface = model.interface(&faces)?;
-    drop(faces);
-    let assembled = model.host.seconds() - start;
-    let phases = [
-        ("factorisation", condensed),
-        ("interface", assembled - condensed),
-    ];
-    Ok(Assembled {
-        operators,
-        interface,
-        phases,
-    })
 }
 
 /// Follows the history of `model` with `solver`, on the `interface` of its condensed bodies `operators`.
@@ -231,25 +190,6 @@ pub fn solver(choice: SolverChoice) -> Box<dyn InterfaceSolver> {
     choice.make()
 }
 
-/// Condenses all bodies, in parallel; the result does not depend on the number of threads.
-///
-/// # Errors
-/// [`RunError::Body`].
-pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
-    let operators = parallel::map(&model.bodies, |body| match (&body.kind, &body.series) {
-        (_, Some(series)) => Ok(Operator::Series(Arc::clone(series))),
-        (ModelBodyKind::Rigid(rigid), None) => Ok(Operator::Rigid(rigid.clone())),
-        (ModelBodyKind::Elastic(elastic), None) => body
-            .condense(elastic)
-            .map(|condensed| Operator::Elastic(Arc::new(condensed)))
-            .map_err(|cause| RunError::Body {
-                body: body.name.clone(),
-                cause,
-            }),
-    });
-    operators.into_iter().collect()
-}
-
 /// What is reported of the history `solved` of `model`: edges, balances and, where requested, fields.
 ///
 /// # Errors
@@ -281,7 +221,7 @@ fn otherwise(
     let kinematics = model.kinematics(&faces)?;
     let (interface, records) = (&solved.interface, &solved.records);
     if let Some(own) = &solved.own {
-        return match ladder::thinning::whole(model, &faces, &kinematics, interface) {
+        return match thinned::whole(model, &faces, &kinematics, interface) {
             Some(whole) => Ok((model.history).thinned_otherwise(
                 &whole,
                 &own.thinned,
@@ -312,6 +252,21 @@ pub fn results_without_audit(
     }
     let recovered = fields::recover_some(model, &solved, bodies);
     reported(model, solver, solved, recovered, &[], start)
+}
+
+/// The edges of `model` with their frames, and their results at the end of every load step: one list of edges per step. Enough to compare models by; failure, fields and
+/// balances are those of [`results`].
+///
+/// # Errors
+/// [`RunError::Stress`].
+pub fn edge_results(
+    model: &Model,
+    solved: &Solved,
+) -> Result<(Vec<EdgeGeometry>, Vec<Vec<EdgeResults>>), RunError> {
+    let free = model.edges.iter().filter(|edge| edge.pair.is_none());
+    let wanted: Vec<usize> = free.map(|edge| edge.geometry.body).collect();
+    let recovered = fields::recover_some(model, solved, &wanted);
+    Ok(edges::all(model, solved, &recovered)?)
 }
 
 /// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.

@@ -193,7 +193,7 @@ impl SeriesBody {
     }
 
     /// Its contact nodes on a straight edge.
-    pub(crate) fn line_nodes(&self) -> Option<&LineNodes> {
+    pub fn line_nodes(&self) -> Option<&LineNodes> {
         match self.nodes() {
             SeriesNodes::Circle(_) => None,
             SeriesNodes::Line(nodes) => Some(nodes),
@@ -292,7 +292,7 @@ pub(crate) fn stress_at(field: &SeriesField, body: &SeriesBody, place: Point) ->
 }
 
 /// Whether a material of this stiffness is isotropic in the plane.
-pub(crate) fn is_isotropic(d: &PlaneStiffness) -> bool {
+pub fn is_isotropic(d: &PlaneStiffness) -> bool {
     let (along, cross) = (d[0][0], d[0][1]);
     let differences = [
         along - d[1][1],

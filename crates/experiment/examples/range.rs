@@ -35,11 +35,13 @@ fn main() -> Result<(), SceneError> {
     let radius = experiment.specimen.hole.radius;
     assert!((radius - 9.525).abs() < 1e-12);
     for plan in &experiment.laws {
-        let candidate = Candidate::new(plan).map_err(|(key, problem)| {
-            experiment.error_at(&format!("laws.0.{key}"), *problem)
-        })?;
+        let candidate = Candidate::new(plan)
+            .map_err(|(key, problem)| experiment.error_at(&format!("laws.0.{key}"), *problem))?;
         let [low, high] = candidate.parameters[0].range;
-        println!("hole of {radius} mm: {} from {low} to {high}", candidate.parameters[0].name);
+        println!(
+            "hole of {radius} mm: {} from {low} to {high}",
+            candidate.parameters[0].name
+        );
     }
     Ok(())
 }

@@ -5,8 +5,8 @@ use stickslip_friction::{Dimension, FrictionLaw, History, Mirror, Place, PointSt
 use stickslip_hybrid::calibrate::Parameter;
 use thiserror::Error;
 
-use stickslip_scene::diagnostic::SceneProblem;
 use crate::LawPlan;
+use stickslip_scene::diagnostic::SceneProblem;
 use stickslip_scene::read::quantity;
 use stickslip_scene::units::{self, Expected};
 

@@ -166,8 +166,8 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use stickslip_scene::Format;
     use crate::Experiment;
+    use stickslip_scene::Format;
     use stickslip_scene::host::{Host, MemoryFiles};
 
     #[test]

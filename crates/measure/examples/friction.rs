@@ -5,11 +5,11 @@
 use std::error::Error;
 use std::path::Path;
 
+use stickslip_experiment::Experiment;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::{Album, Depth, run};
 use stickslip_measure::synthesis::{Camera, Shots};
 use stickslip_scene::Format;
-use stickslip_experiment::Experiment;
 use stickslip_scene::host::{Host, MemoryFiles};
 
 const SCENE: &str = r#"

@@ -13,8 +13,8 @@ use thiserror::Error;
 
 use super::laws::LawsError;
 use stickslip_engine::run::RunError;
-use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 use stickslip_experiment::Experiment;
+use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 
 pub(super) use messages::{at, of_reduction, of_region};
 pub use whole::WholeError;

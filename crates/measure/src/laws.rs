@@ -38,9 +38,9 @@ mod shared_null;
 mod stage;
 mod verdict;
 
+use stickslip_experiment::RefusedLaw;
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::calibrate::CalibrateError;
-use stickslip_experiment::RefusedLaw;
 use thiserror::Error;
 
 pub use compare::{fit, fit_on_two_meshes};

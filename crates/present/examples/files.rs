@@ -6,7 +6,7 @@ use std::error::Error;
 use std::path::Path;
 use std::sync::Mutex;
 
-use stickslip_engine::run::run;
+use stickslip_ladder::run;
 use stickslip_present::results::write;
 use stickslip_present::serde_json::{self, Value};
 use stickslip_scene::{Format, Scene};

@@ -13,11 +13,11 @@ pub mod whole;
 use std::path::Path;
 
 use stickslip_engine::run::Progress;
+use stickslip_experiment::Experiment;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::{self, Album, Depth};
 use stickslip_measure::finding::ignored_keys;
 use stickslip_measure::synthesis::{Camera, Shots};
-use stickslip_experiment::Experiment;
 
 use gallery::Gallery;
 use identified::FrictionResults;

@@ -9,7 +9,7 @@
 //!
 //! ```
 //! use std::path::Path;
-//! use stickslip_engine::run::run;
+//! use stickslip_ladder::run;
 //! use stickslip_present::results::summary_json;
 //! use stickslip_scene::{Format, Scene};
 //!

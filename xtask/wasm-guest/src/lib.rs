@@ -15,7 +15,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use stickslip_engine::run::run;
+use stickslip_ladder::run;
 use stickslip_scene::{Format, Scene};
 
 const SCENE: &str = include_str!("../../../scenes/pin-loaded-aluminium-mesh-a.toml");

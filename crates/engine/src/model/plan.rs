@@ -49,7 +49,7 @@ pub(super) struct BodyPlan<'a> {
 
 /// How a round body sits in a hole under load: which places of the two face each other.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Seat {
+pub struct Seat {
     /// Angles along the hole `[rad]`, ascending.
     angles: Vec<f64>,
     /// By how much the places of the body that face them lie farther along `[rad]`.

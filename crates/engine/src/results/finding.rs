@@ -310,7 +310,7 @@ pub enum JointFinding {
 
 impl Finding {
     /// Whether it says what stated errors contain.
-    pub(crate) fn is_within_errors(&self) -> bool {
+    pub fn is_within_errors(&self) -> bool {
         match self {
             Self::CoarseLoadPath(_) | Self::LoadPathUnchecked { .. } => true,
             Self::Contact { finding, .. } => matches!(finding, ContactFinding::PairsApart { .. }),

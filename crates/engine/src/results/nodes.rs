@@ -3,17 +3,19 @@
 use super::{EdgeGeometry, EdgeRow, RowErrors};
 
 /// Pressure, shear and σ_t `[MPa]` of a node, or their errors.
-pub(crate) type Values = [f64; 3];
+pub type Values = [f64; 3];
 
 /// Where the nodes of an edge are.
-#[derive(Clone, PartialEq)]
-pub(crate) struct Nodes {
-    pub(crate) parameter: Vec<f64>,
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nodes {
+    /// Their places along the edge, ascending `[rad or mm]`.
+    pub parameter: Vec<f64>,
     closed: Option<f64>,
 }
 
 impl Nodes {
-    pub(crate) fn of(geometry: &EdgeGeometry) -> Self {
+    /// Those of the edge `geometry`.
+    pub fn of(geometry: &EdgeGeometry) -> Self {
         Self {
             parameter: geometry.parameter.clone(),
             closed: geometry.closed().filter(|_| !geometry.half),
@@ -25,7 +27,7 @@ impl Nodes {
     }
 
     /// The nodes on both sides of a place.
-    pub(crate) fn around(&self, at: f64) -> [usize; 2] {
+    pub fn around(&self, at: f64) -> [usize; 2] {
         let first = self.parameter[0];
         let at = self
             .closed
@@ -47,7 +49,7 @@ impl Nodes {
     }
 
     /// How far apart the nodes on both sides of a place are; at a node the longer of its two distances.
-    pub(crate) fn spacing(&self, at: f64) -> f64 {
+    pub fn spacing(&self, at: f64) -> f64 {
         let [from, to] = self.around(at);
         let own = self.ahead(from, self.parameter[to]);
         let next = match self.closed {
@@ -60,7 +62,7 @@ impl Nodes {
     }
 
     /// The largest errors of nodes no farther from the node `k` than `reach`.
-    pub(crate) fn largest_near(&self, errors: &[Values], k: usize, reach: f64) -> Values {
+    pub fn largest_near(&self, errors: &[Values], k: usize, reach: f64) -> Values {
         let count = self.count();
         let near = |node: usize| {
             let ahead = self.ahead(k, self.parameter[node % count]).abs();
@@ -80,7 +82,7 @@ impl Nodes {
     }
 
     /// The values of `rows` at a place.
-    pub(crate) fn interpolated(&self, rows: &[EdgeRow], at: f64) -> Values {
+    pub fn interpolated(&self, rows: &[EdgeRow], at: f64) -> Values {
         let [from, to] = self.around(at);
         let count = self.count();
         let [before, after] = match self.closed {
@@ -139,11 +141,13 @@ impl EdgeGeometry {
     }
 }
 
-pub(crate) fn values(row: &EdgeRow) -> Values {
+/// The values of a node.
+pub fn values(row: &EdgeRow) -> Values {
     [row.pressure, row.shear, row.sigma_tangential]
 }
 
-pub(crate) fn joined(one: Values, other: Values, join: impl Fn(f64, f64) -> f64) -> Values {
+/// Pressures, shears and stresses joined, each by `join`.
+pub fn joined(one: Values, other: Values, join: impl Fn(f64, f64) -> f64) -> Values {
     std::array::from_fn(|k| join(one[k], other[k]))
 }
 

@@ -57,7 +57,7 @@ impl Results {
 
 impl EdgeResults {
     /// Moves places by `by` `[mm]`, on the edge `geometry`.
-    pub(crate) fn place(&mut self, geometry: &EdgeGeometry, [by, _]: [f64; 2]) {
+    pub fn place(&mut self, geometry: &EdgeGeometry, [by, _]: [f64; 2]) {
         if geometry.kind != EdgeKind::Line {
             return;
         }

@@ -120,12 +120,12 @@ impl Stated {
     }
 
     /// Whether a fit between nodes gives it, where there is one.
-    pub(crate) fn is_fitted(self) -> bool {
+    pub fn is_fitted(self) -> bool {
         matches!(self, Self::PeakHoop | Self::ContactExtent)
     }
 
     /// Whether it is zero where the bodies do not touch, or do not where they bear.
-    pub(crate) fn vanishes(self) -> bool {
+    pub fn vanishes(self) -> bool {
         matches!(
             self,
             Self::ContactExtent
@@ -164,7 +164,7 @@ pub struct Errors(Vec<Option<f64>>);
 
 impl Errors {
     /// The errors `error` of all stated numbers.
-    pub(crate) fn of(error: impl FnMut(Stated) -> Option<f64>) -> Self {
+    pub fn of(error: impl FnMut(Stated) -> Option<f64>) -> Self {
         Self(Stated::ALL.into_iter().map(error).collect())
     }
 

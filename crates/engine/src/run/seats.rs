@@ -10,14 +10,15 @@ use stickslip_contact::StepRecord;
 use stickslip_contact::deformed::is_free_to_turn;
 
 use super::solved::Solved;
-use crate::model::{Model, ModelEdge, Seat};
+use crate::model::{Model, Seat};
 use crate::results::{ContactFinding, EdgeGeometry, EdgeKind, Finding, Quantity};
 
 /// Part of the distance of nodes beyond which pairs are too far apart.
 const APART: f64 = 0.5;
 
 /// Two circles in a load step.
-pub(super) struct Faced {
+#[derive(Debug)]
+pub struct Faced {
     /// Angles of the contact points on the first circle `[rad]`, those that face them on the second one, and those of its nodes.
     first: Vec<f64>,
     facing: Vec<f64>,
@@ -27,7 +28,7 @@ pub(super) struct Faced {
 
 impl Faced {
     /// The circles of the pair with the index `pair` and the edge `geometry` in the step of `record`; `None` for other contacts.
-    pub(super) fn of(
+    pub fn of(
         model: &Model,
         solved: &Solved,
         record: &StepRecord,
@@ -90,11 +91,7 @@ impl Faced {
 
     /// The largest angle from a node to the place that faces its pair where contact ends, and the distance of nodes there `[rad]`, if it is more than a part of that; `rows` are
     /// the points that are nodes, and `touches` says which of them touch.
-    pub(super) fn apart(
-        &self,
-        rows: &[usize],
-        touches: impl Fn(usize) -> bool,
-    ) -> Option<[f64; 2]> {
+    pub fn apart(&self, rows: &[usize], touches: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
         let count = rows.len();
         let last = if self.closed { count } else { count - 1 };
         let ends = (0..last).map(|k| [k, (k + 1) % count]);
@@ -120,7 +117,7 @@ fn apart(to: f64, from: f64) -> f64 {
 }
 
 /// How the second bodies of contacts sit in the step with the largest contact force, of those that can be seated: bodies by series, and half ones of elements, that touch along one edge alone.
-pub(super) fn seats(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
+pub fn seats(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
     let seat = |pair: usize| {
         let own = &model.pairs[pair];
         let touches = |body| {
@@ -130,7 +127,7 @@ pub(super) fn seats(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
         if touches(own.second).count() > 1 || !(is_series || model.half) {
             return None;
         }
-        let geometry = &edge_of(model, pair)?.geometry;
+        let geometry = &model.edge_of(pair)?.geometry;
         let force = |record: &StepRecord| record.audit.pairs[pair].normal;
         let records = solved.records.iter();
         let largest = records.max_by(|one, other| force(one).total_cmp(&force(other)))?;
@@ -140,7 +137,7 @@ pub(super) fn seats(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
 }
 
 /// The same of those whose nodes are paired too far apart on the deformed geometry.
-pub(super) fn wanted(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
+pub fn wanted(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
     let mut seats = seats(model, solved);
     for (pair, seat) in seats.iter_mut().enumerate() {
         if doubtful(model, solved, pair).is_empty() {
@@ -169,7 +166,7 @@ pub(super) fn findings(model: &Model, solved: &Solved) -> Vec<Finding> {
 
 /// The load steps, counted from 1, in which nodes of `pair` are paired too far apart, with how far and the distance of nodes.
 fn doubtful(model: &Model, solved: &Solved, pair: usize) -> Vec<(usize, [f64; 2])> {
-    let Some(edge) = edge_of(model, pair).filter(|_| !model.facings.is_empty()) else {
+    let Some(edge) = model.edge_of(pair).filter(|_| !model.facings.is_empty()) else {
         return Vec::new();
     };
     let points = solved.interface.contacts().pair_points(pair);
@@ -182,8 +179,4 @@ fn doubtful(model: &Model, solved: &Solved, pair: usize) -> Vec<(usize, [f64; 2]
             Some((step, faced.apart(&rows, touches)?))
         })
         .collect()
-}
-
-fn edge_of(model: &Model, pair: usize) -> Option<&ModelEdge> {
-    model.edges.iter().find(|edge| edge.pair == Some(pair))
 }

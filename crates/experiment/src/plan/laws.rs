@@ -3,10 +3,10 @@
 use serde_json::Value;
 
 use super::refuse::Refuse;
-use stickslip_scene::diagnostic::SceneError;
-use stickslip_scene::document::child;
 use crate::format::LawFormat;
 use crate::{Candidate, FreeParameter, LawPlan, Specimen};
+use stickslip_scene::diagnostic::SceneError;
+use stickslip_scene::document::child;
 use stickslip_scene::open::law as read_law;
 use stickslip_scene::schema::Material;
 use stickslip_scene::units::{Dimension, Expected, parse};

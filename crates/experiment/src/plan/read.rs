@@ -8,14 +8,12 @@ use stickslip_hybrid::moire::Grating;
 
 use super::refuse::{Refuse, gradient};
 use super::{Experiment, VERSION, laws, ranges, settings, specimen, states, unused};
+use crate::format::{ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, SeriesFormat};
+use crate::{Fringes, Reduce, Specimen, State};
 use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText};
 use stickslip_scene::digest::sha256;
-use crate::format::{
-    ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, SeriesFormat,
-};
-use crate::{Fringes, Reduce, Specimen, State};
-use stickslip_scene::open::UnitsFormat;
 use stickslip_scene::host::Host;
+use stickslip_scene::open::UnitsFormat;
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_scene::{Format, open};
 

@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use stickslip_scene::diagnostic::{SceneError, SceneProblem};
-use stickslip_scene::document::{Document, Part};
 use crate::Area;
 use crate::format::{MaskFormat, PlaceFormat};
+use stickslip_scene::diagnostic::{SceneError, SceneProblem};
+use stickslip_scene::document::{Document, Part};
 use stickslip_scene::units::{PerLength, Quantity};
 
 /// Makes errors at keys of the file.

@@ -7,7 +7,6 @@ use stickslip_fem_core::mesh::ElementKind;
 use stickslip_hybrid::region::fit::{Amount, Smoothing};
 
 use super::refuse::{Refuse, place};
-use stickslip_scene::diagnostic::SceneError;
 use crate::format::{
     FreeFormat, IdentifyFormat, MethodFormat, OutliersFormat, ReduceFormat, RegionFormat,
     SectorFormat, SmoothingFormat, SymmetryFormat,
@@ -16,6 +15,7 @@ use crate::{
     FreeMotion, Hole, Identify, MeshPlan, Method, Reduce, RegionPlan, RegionShape, SectorPlan,
     State, SymmetryPlan, ZonePlan,
 };
+use stickslip_scene::diagnostic::SceneError;
 use stickslip_scene::units::{Length, Quantity};
 
 /// Part of the cross-validated smoothing that keeps the bias of stresses below half of their noise.

@@ -7,10 +7,10 @@ use serde_json::{Map, Value, json};
 use stickslip_fem_core::material::PlaneState;
 
 use super::refuse::{Refuse, place};
-use stickslip_scene::diagnostic::{SceneError, SceneProblem, one_of};
-use stickslip_scene::document::Part;
 use crate::format::{ExperimentFormat, HoleFormat, SpecimenFormat};
 use crate::{Hole, Specimen, SpecimenScene};
+use stickslip_scene::diagnostic::{SceneError, SceneProblem, one_of};
+use stickslip_scene::document::Part;
 use stickslip_scene::placement::circle_centre as centre_of;
 use stickslip_scene::schema::Substance;
 use stickslip_scene::shape::Role;

@@ -7,12 +7,12 @@ use std::path::Path;
 use stickslip_hybrid::moire::Grating;
 
 use super::refuse::Refuse;
-use stickslip_scene::diagnostic::SceneError;
 use crate::format::{
     ForceFormat, LinesFormat, PicturesFormat, SourceFormat, StateFormat, TableFormat,
 };
 use crate::history::History;
 use crate::{Direction, Fringes, Source, Specimen, State};
+use stickslip_scene::diagnostic::SceneError;
 use stickslip_scene::units::Quantity;
 
 /// Longest name of a state, which is a part of file names.

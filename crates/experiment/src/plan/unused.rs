@@ -1,9 +1,9 @@
 //! Keys that are stated and have no effect with what else is stated. They are reported and not refused, so that one file serves several
 //! methods: `--set reduce.method=polynomial`.
 
+use crate::{Fringes, Method, Reduce, RegionPlan, Source, State};
 use stickslip_scene::diagnostic::SceneProblem;
 use stickslip_scene::document::{Document, Part};
-use crate::{Fringes, Method, Reduce, RegionPlan, Source, State};
 
 /// A key, whether anything uses it, and a sentence on what would.
 type Entry = (&'static str, bool, &'static str);

@@ -1,9 +1,9 @@
 //! Findings of friction.
 
 use serde::{Serialize, Serializer};
-use stickslip_hybrid::identify::Bounds;
 use stickslip_experiment::history::{History, Tied, Untied};
 use stickslip_experiment::{Experiment, State};
+use stickslip_hybrid::identify::Bounds;
 use thiserror::Error;
 
 /// What slip zones show.

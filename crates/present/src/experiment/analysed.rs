@@ -14,9 +14,9 @@ use stickslip_report::table::{Column, Table};
 use crate::csv;
 use crate::experiment::findings::shown;
 use crate::experiment::report::ExperimentReport;
+use stickslip_experiment::{Experiment, Method, RegionShape};
 use stickslip_measure::analysed::{Analysed, TruePlace, UNUSED, free_in_region_only, true_edge};
 use stickslip_measure::truth::Truth;
-use stickslip_experiment::{Experiment, Method, RegionShape};
 use stickslip_text::{short, significant};
 
 /// Reports the edge stresses of all states.

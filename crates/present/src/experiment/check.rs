@@ -4,12 +4,12 @@ use stickslip_hybrid::data::Field;
 
 use super::findings::line;
 use super::measured::signs;
+use stickslip_experiment::{Experiment, RegionShape, Source};
 use stickslip_measure::ExperimentError;
 use stickslip_measure::analysed::Workbench;
 use stickslip_measure::finding::{Level, Located, ignored_keys};
 use stickslip_measure::measured::{self, Measured};
 use stickslip_measure::synthesis::Shots;
-use stickslip_experiment::{Experiment, RegionShape, Source};
 use stickslip_text::short;
 
 /// What an experiment says.

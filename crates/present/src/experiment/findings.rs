@@ -4,8 +4,8 @@ mod data;
 mod edge;
 mod friction;
 
-use stickslip_measure::finding::{Finding, Level, Located, Part};
 use stickslip_experiment::Experiment;
+use stickslip_measure::finding::{Finding, Level, Located, Part};
 use stickslip_scene::units::Unit;
 use stickslip_text::short;
 

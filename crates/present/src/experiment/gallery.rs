@@ -17,9 +17,9 @@ use stickslip_report::svg::Svg;
 use stickslip_report::table::Table;
 
 use super::report::ExperimentReport;
+use stickslip_experiment::{Experiment, State};
 use stickslip_measure::ExperimentError;
 use stickslip_measure::synthesis::{Camera, Shot, Shots};
-use stickslip_experiment::{Experiment, State};
 use stickslip_scene::units::Unit;
 use stickslip_text::{counted, short};
 

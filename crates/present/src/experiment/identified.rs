@@ -9,13 +9,13 @@ use stickslip_report::table::Table;
 use crate::csv;
 use crate::experiment::findings::on_half_the_cells;
 use crate::experiment::report::ExperimentReport;
+use stickslip_experiment::Experiment;
 use stickslip_measure::analysed::{Analysed, true_edge};
 use stickslip_measure::chain::Friction;
 use stickslip_measure::identified::{
     CONSISTENT, Grip, Identified, SlipZone, describe_bounds, ratio, static_friction,
 };
 use stickslip_measure::truth::Truth;
-use stickslip_experiment::Experiment;
 
 /// What is said of either coefficient where nothing touches the edge.
 const NO_CONTACT: &str = "no pressure on the edge: no contact, no friction to identify";

@@ -11,8 +11,8 @@ use stickslip_report::prose::{Prose, Value};
 use stickslip_report::table::{Column, Table};
 
 use crate::experiment::report::ExperimentReport;
-use stickslip_measure::laws::{Fit, LawStage, Scale, ScaleSource};
 use stickslip_experiment::Experiment;
+use stickslip_measure::laws::{Fit, LawStage, Scale, ScaleSource};
 use stickslip_text::short;
 
 /// Stands in place of an interval where χ² rejects the model.

@@ -15,8 +15,8 @@ use crate::experiment::findings::yes_or_no;
 use crate::experiment::gallery::caption;
 use crate::experiment::report::ExperimentReport;
 pub(super) use signs::signs;
-use stickslip_measure::measured::{Measured, repeated};
 use stickslip_experiment::{Experiment, Method, Source, State};
+use stickslip_measure::measured::{Measured, repeated};
 use stickslip_text::{counted, short, significant};
 
 /// Reports the measured fields of all states.

@@ -12,8 +12,8 @@ use thiserror::Error;
 
 use super::findings::sentence;
 use crate::PutFile;
-use stickslip_measure::finding::{Level, Located};
 use stickslip_experiment::Experiment;
+use stickslip_measure::finding::{Level, Located};
 
 /// Why a report cannot be written.
 #[derive(Debug, Error)]

@@ -36,11 +36,7 @@ pub(crate) const fn filled(allowed: &'static str) -> Range {
 }
 
 /// Numbers for which `holds`; tables show them as `shown` after the type, and messages say what is `allowed`.
-pub const fn numbers(
-    shown: &'static str,
-    allowed: &'static str,
-    holds: fn(f64) -> bool,
-) -> Range {
+pub const fn numbers(shown: &'static str, allowed: &'static str, holds: fn(f64) -> bool) -> Range {
     Range::Numbers {
         shown,
         allowed,

@@ -17,14 +17,14 @@ use super::memory::host;
 use crate::folder::FolderError;
 use crate::keep;
 use stickslip_engine::run::Progress;
+use stickslip_experiment::Experiment;
+use stickslip_experiment::RegionShape;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::Depth;
 use stickslip_present::experiment::report;
 use stickslip_scene::Format;
 use stickslip_scene::diagnostic::{SceneError, SourceText};
 use stickslip_scene::document::Document;
-use stickslip_experiment::Experiment;
-use stickslip_experiment::RegionShape;
 use stickslip_scene::limits::Content;
 
 #[derive(Debug, Args)]

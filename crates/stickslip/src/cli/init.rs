@@ -8,8 +8,8 @@ use serde_json::json;
 use super::console::Console;
 use super::failure::{CommandError, Failure};
 use crate::folder::{FolderError, write_new};
-use stickslip_scene::Format;
 use stickslip_experiment::templates::TEMPLATES as EXPERIMENTS;
+use stickslip_scene::Format;
 use stickslip_scene::templates::{TEMPLATES as SCENES, Template};
 
 #[derive(Debug, Args)]
@@ -143,8 +143,8 @@ fn write_all_new(files: &[(PathBuf, String)], template: &Template) -> Result<(),
 mod tests {
     use super::*;
     use crate::host::HOST;
-    use stickslip_scene::Scene;
     use stickslip_experiment::Experiment;
+    use stickslip_scene::Scene;
 
     #[test]
     fn every_template_is_valid_as_it_stands() {

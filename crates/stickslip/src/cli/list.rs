@@ -106,8 +106,8 @@ fn text(topic: Topic) -> String {
             parameters_text("Point models, for failure.progressive.model.NAME", rows)
         }
         Topic::Templates => {
-            let rows = templates()
-                .map(|template| (template.name.to_owned(), template.summary.to_owned()));
+            let rows =
+                templates().map(|template| (template.name.to_owned(), template.summary.to_owned()));
             table("Templates, for `stickslip init NAME`", rows)
         }
         Topic::Presets => presets::text(),

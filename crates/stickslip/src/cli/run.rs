@@ -15,7 +15,8 @@ use super::folder::{Owner, prepare, results_folder};
 use super::located::located;
 use crate::folder::FolderError;
 use crate::keep;
-use stickslip_engine::run::{Progress, run as solve};
+use stickslip_engine::run::Progress;
+use stickslip_ladder::run as solve;
 use stickslip_present::results::{self as output, sentence};
 use stickslip_scene::Scene;
 

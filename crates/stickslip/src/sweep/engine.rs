@@ -262,7 +262,7 @@ impl<'a> Shop<'a> {
 fn whole(scene: &Scene) -> Result<Results, String> {
     let mut scene = scene.clone();
     scene.output.fields = FieldOutput::None;
-    stickslip_engine::run::run(&scene, &mut |_| {}).map_err(|error| error.to_string())
+    stickslip_ladder::run(&scene, &mut |_| {}).map_err(|error| error.to_string())
 }
 
 /// The model of `scene`, from the last one where it differs in laws and loads only.

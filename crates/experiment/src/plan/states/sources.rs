@@ -7,12 +7,12 @@ use stickslip_hybrid::data::{self, LineReading, Reading, Track, YAxis};
 
 use super::super::refuse::{gradient, place};
 use super::Scope;
-use stickslip_scene::diagnostic::SceneError;
 use crate::format::{
     AxisFormat, ColumnsFormat, FilesFormat, LinesFormat, PicturesFormat, PresetFormat, TableFormat,
     TrackFormat,
 };
 use crate::{LineSource, PictureSource, Source, TableSource};
+use stickslip_scene::diagnostic::SceneError;
 use stickslip_scene::units::{Length, Quantity};
 
 /// Standard deviation of fringe orders that are read to a quarter of a fringe: uniform in ±¼, ¼/√3.

@@ -8,8 +8,8 @@ use stickslip_report::plane::PlanePlot;
 use stickslip_report::svg::Svg;
 
 use crate::experiment::gallery::{caption, edge_of_hole};
-use stickslip_measure::analysed::{Analysed, TruePlace};
 use stickslip_experiment::Experiment;
+use stickslip_measure::analysed::{Analysed, TruePlace};
 
 /// Width of a chart of the edge \[px\].
 const WIDTH: f64 = 760.0;

@@ -5,8 +5,8 @@ use stickslip_report::table::Table;
 
 use crate::csv;
 use crate::experiment::findings::why;
-use stickslip_measure::analysed::{Analysed, ForceCheck, LoadCheck};
 use stickslip_experiment::Experiment;
+use stickslip_measure::analysed::{Analysed, ForceCheck, LoadCheck};
 use stickslip_text::short;
 
 const AXES: [&str; 2] = ["x", "y"];

@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 
 use crate::experiment::findings::yes_or_no;
+use stickslip_experiment::Experiment;
 use stickslip_measure::analysed::{Analysed, PictureMotion};
 use stickslip_report::table::Table;
-use stickslip_experiment::Experiment;
 use stickslip_text::short;
 
 /// What may have been added to each state.

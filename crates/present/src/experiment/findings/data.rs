@@ -1,9 +1,9 @@
 //! Sentences for findings of measured data.
 
+use stickslip_experiment::Experiment;
 use stickslip_measure::finding::{
     BackFinding, FieldFinding, FileFinding, LineFinding, PictureFinding, TableFinding,
 };
-use stickslip_experiment::Experiment;
 use stickslip_text::{short, significant};
 
 use super::shown;

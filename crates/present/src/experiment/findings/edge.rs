@@ -1,9 +1,9 @@
 //! Sentences for findings of edge stresses.
 
+use stickslip_experiment::Experiment;
 use stickslip_measure::finding::{
     BearingFails, Check, FitFinding, ForceFinding, LoadFails, NotCompared,
 };
-use stickslip_experiment::Experiment;
 use stickslip_text::{short, significant};
 
 use super::shown;

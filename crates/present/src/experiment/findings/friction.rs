@@ -1,9 +1,9 @@
 //! Sentences for findings of friction.
 
+use stickslip_experiment::Experiment;
 use stickslip_hybrid::identify::Bounds;
 use stickslip_measure::finding::{FrictionFinding, ModelFinding};
 use stickslip_measure::identified::describe_bounds;
-use stickslip_experiment::Experiment;
 use stickslip_text::short;
 
 pub(super) fn of_zones(finding: &FrictionFinding) -> String {

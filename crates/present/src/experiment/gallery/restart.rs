@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 use stickslip_hybrid::data::Field;
 
 use super::{FOLDER, letter};
-use stickslip_measure::synthesis::{Camera, Shot, file_names};
 use stickslip_experiment::{Experiment, Fringes, RegionShape, Source};
+use stickslip_measure::synthesis::{Camera, Shot, file_names};
 
 /// The text of the file, which will stand in the result folder `folder`.
 ///

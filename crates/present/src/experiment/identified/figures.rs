@@ -9,9 +9,9 @@ use stickslip_report::svg::Svg;
 
 use crate::experiment::analysed::figures::{TRUTH, angle_axis, truth_within};
 use crate::experiment::gallery::caption;
+use stickslip_experiment::Experiment;
 use stickslip_measure::analysed::{Analysed, TruePlace};
 use stickslip_measure::identified::{Identified, ratio};
-use stickslip_experiment::Experiment;
 
 const WIDTH: f64 = 760.0;
 /// Ratios whose standard deviation is larger say nothing and would hide the others.

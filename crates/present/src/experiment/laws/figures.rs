@@ -10,8 +10,8 @@ use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
 use crate::experiment::gallery::caption;
-use stickslip_measure::laws::{Fit, LawStage, Ring};
 use stickslip_experiment::Experiment;
+use stickslip_measure::laws::{Fit, LawStage, Ring};
 
 /// Profiles are drawn up to this many times their limit.
 const HEIGHT: f64 = 3.0;

@@ -1,5 +1,6 @@
 //! Coefficients along the slip path, of laws in which they change.
 
+use stickslip_experiment::Experiment;
 use stickslip_friction::FrictionLaw;
 use stickslip_measure::laws::{Fit, LawStage, coefficient, half_width, law_of, passes};
 use stickslip_report::FigureError;
@@ -7,7 +8,6 @@ use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
-use stickslip_experiment::Experiment;
 
 /// Places along the slip path.
 const PLACES: usize = 60;

@@ -10,8 +10,8 @@ use stickslip_report::plane::{Marks, PlanePlot};
 use stickslip_report::svg::Svg;
 
 use crate::experiment::gallery::{caption, edge_of_hole, edges, picture_plot};
-use stickslip_measure::measured::{Measured, PictureField};
 use stickslip_experiment::Experiment;
+use stickslip_measure::measured::{Measured, PictureField};
 
 /// Width of one map \[px\].
 const WIDTH: f64 = 430.0;

@@ -2,9 +2,7 @@
 
 use stickslip_hybrid::data::YAxis;
 
-use stickslip_experiment::{
-    Experiment, LineSource, PictureSource, Source, State, TableSource,
-};
+use stickslip_experiment::{Experiment, LineSource, PictureSource, Source, State, TableSource};
 
 /// Signs and axes of the data of each state that are files, states with the same ones together: their names, and the signs.
 pub(crate) fn signs(experiment: &Experiment) -> Vec<(String, String)> {

@@ -7,8 +7,8 @@ use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
 use crate::experiment::gallery::caption;
-use stickslip_measure::whole::WholeState;
 use stickslip_experiment::Experiment;
+use stickslip_measure::whole::WholeState;
 
 fn angles() -> Axis {
     Axis::linear("θ [deg]").between(-180.0, 180.0).every(60.0)

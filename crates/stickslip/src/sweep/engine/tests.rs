@@ -8,7 +8,7 @@ use tempfile::TempDir;
 use super::*;
 use crate::host::HOST;
 use stickslip_engine::results::{BodyFailure, EdgeRow};
-use stickslip_engine::run::run as whole_run;
+use stickslip_ladder::run as whole_run;
 
 const AXES: &str = r#"
 version = 1

@@ -14,7 +14,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::numbers::Numbers;
-use crate::results::{EdgeGeometry, EdgeKind, EdgeResults};
+use stickslip_engine::results::{EdgeGeometry, EdgeKind, EdgeResults};
 
 /// Growth of the spacing per length.
 const GROWTH: f64 = 0.4;

@@ -2,7 +2,7 @@
 
 use super::along::Along;
 use super::numbers::{Numbers, Table, difference, zipped};
-use crate::results::{Results, Stated};
+use stickslip_engine::results::{Results, Stated};
 
 /// The difference on one model is off by this factor at most.
 const FACTOR: f64 = 1.5;

@@ -8,7 +8,9 @@
 //! between steps as parts of the peak pressure and of the normal force. [`factor`] has k.
 
 use super::numbers::{Numbers, Table, difference};
-use crate::results::{ContactFinding, EdgeGeometry, EdgeRow, Errors, Finding, Nodes, Stated};
+use stickslip_engine::results::{
+    ContactFinding, EdgeGeometry, EdgeRow, Errors, Finding, Nodes, Stated,
+};
 
 /// A change may vanish by chance; this part of the largest one of all steps does not.
 const WIDE: f64 = 0.4;

@@ -6,8 +6,8 @@
 
 use stickslip_contact::{Contacts, Status, StepRecord};
 
-use crate::model::Model;
-use crate::results::{EdgeGeometry, EdgeResults, EdgeRow, Stated};
+use stickslip_engine::model::Model;
+use stickslip_engine::results::{EdgeGeometry, EdgeResults, EdgeRow, Stated};
 
 /// Which numbers of an edge in a step have no limit.
 #[derive(Clone, Copy, Debug, Default)]

@@ -3,11 +3,11 @@
 use stickslip_contact::peaks::{EdgeValues, Located, edge_peak, locate_end};
 use stickslip_contact::{ContactState, Contacts, StepRecord};
 
-use super::seats::Faced;
-use super::solved::Solved;
-use crate::model::{Model, ModelEdge};
-use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, Stated};
-use crate::series::is_isotropic;
+use stickslip_engine::model::{Model, ModelEdge};
+use stickslip_engine::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, Stated};
+use stickslip_engine::run::Solved;
+use stickslip_engine::run::seats::Faced;
+use stickslip_engine::series::is_isotropic;
 
 /// Nodes that are looked at on either side of an end of contact.
 const REACH: i64 = 5;

@@ -9,7 +9,7 @@
 
 use super::division::Spaced;
 use super::numbers::Numbers;
-use crate::results::{EdgeGeometry, Nodes, RowErrors, Values, joined, values};
+use stickslip_engine::results::{EdgeGeometry, Nodes, RowErrors, Values, joined, values};
 
 /// k of the module's equation, of pressure, shear and σ_t, with graded nodes and with others.
 const DIVISION: [[f64; 3]; 2] = [[1.2, 1.2, 1.6], [2.5; 3]];

@@ -10,7 +10,8 @@ use stickslip_contact::history::{LoadHistory, Ramp};
 use stickslip_contact::solver::Step;
 use stickslip_contact::{Chain, ContactState, Interface, InterfaceSolver};
 use stickslip_engine::model::Model;
-use stickslip_engine::run::{Operator, condense, follow, results, run, run_with, solve, solver};
+use stickslip_engine::run::{Operator, condense, follow, results, run_with, solve, solver};
+use stickslip_ladder::run;
 use stickslip_scene::schema::SolverChoice;
 use stickslip_scene::{Format, Scene};
 

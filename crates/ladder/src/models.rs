@@ -2,10 +2,8 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use stickslip_contact::{Interface, InterfaceSolver};
-use stickslip_fem_core::InterfaceOperator;
+use stickslip_contact::InterfaceSolver;
 use stickslip_friction::History;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
@@ -14,12 +12,12 @@ use super::division::Spaced;
 use super::grading::{Domain, Grading};
 use super::limits::Missing;
 use super::numbers::Numbers;
-use super::thinning;
-use crate::model::{Model, ModelBody, Seat};
-use crate::results::{EdgeGeometry, EdgeResults};
-use crate::run::seats;
-use crate::run::solved::{Operator, Solved};
-use crate::run::{Assembled, Progress, RunError, assemble, edges, fields, follow, peaks};
+use super::{peaks, thinning};
+use stickslip_engine::model::{Model, Seat};
+use stickslip_engine::results::{EdgeGeometry, EdgeResults};
+use stickslip_engine::run::{
+    Assembled, Progress, RunError, Solved, edge_results, follow, follow_thinned, seats,
+};
 
 /// Nodes on half of a contact circle less one, of the coarsest model by series.
 const INTERVALS: usize = 30;
@@ -78,8 +76,7 @@ struct Made {
     kinematics: KinematicsChoice,
     seats: Vec<Option<Seat>>,
     model: Model,
-    operators: Vec<Operator>,
-    interface: Interface,
+    assembled: Assembled,
     seconds: f64,
 }
 
@@ -260,21 +257,22 @@ impl<'a> Models<'a> {
         let made = self.made(&scene, rung, progress)?;
         let (mut model, making) = (made.model.with_laws_and_history(&scene)?, made.seconds);
         model.divide_history(substeps)?;
-        let (operators, interface) = (made.operators.clone(), made.interface.clone());
+        let assembled = made.assembled.clone();
         let ready = host.seconds();
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         let chosen = graded.and_then(|graded| thinning::chosen(&model, &graded.grading));
         let mut solved = match &chosen {
-            Some(chosen) => {
-                thinning::follow(&model, operators, interface, self.solver, chosen, progress)?
-            }
-            None => follow(&model, operators, interface, self.solver, progress)?,
+            Some(chosen) => follow_thinned(&model, assembled, self.solver, chosen, progress)?,
+            None => follow(
+                &model,
+                assembled.operators,
+                assembled.interface,
+                self.solver,
+                progress,
+            )?,
         };
         solved.phases.insert(0, ("operators", ready - start));
-        let free = model.edges.iter().filter(|edge| edge.pair.is_none());
-        let wanted: Vec<usize> = free.map(|edge| edge.geometry.body).collect();
-        let recovered = fields::recover_some(&model, &solved, &wanted);
-        let (geometries, mut steps) = edges::all(&model, &solved, &recovered)?;
+        let (geometries, mut steps) = edge_results(&model, &solved)?;
         let rows = thinning::rows(&solved, &model, &steps);
         let own = thinning::own_rows(&geometries, &rows, &mut steps);
         let fitted = peaks::between_nodes(&model, &solved, &geometries, (&own, &rows), &mut steps);
@@ -314,31 +312,25 @@ impl<'a> Models<'a> {
             Some(made) if made.kinematics == kinematics && made.seats == seats => made,
             Some(made) if self.is_graded() || made.seats == seats => {
                 let model = Model::build_on(scene, Some(&made.model), &self.seats)?;
-                let (operators, interface) = reassemble(&model, made.operators, made.interface)?;
+                let assembled = made.assembled.with_series_of(&model)?;
                 Made {
                     kinematics,
                     seats,
                     model,
-                    operators,
-                    interface,
+                    assembled,
                     ..made
                 }
             }
             _ => {
                 let model = Model::build_on(scene, None, &self.seats)?;
-                let Assembled {
-                    operators,
-                    interface,
-                    ..
-                } = assemble(&model, progress)?;
+                let assembled = Assembled::of(&model, progress)?;
                 Made {
                     rung,
                     graded,
                     kinematics,
                     seats,
                     model,
-                    operators,
-                    interface,
+                    assembled,
                     seconds: self.scene.host().seconds() - start,
                 }
             }
@@ -409,31 +401,6 @@ impl<'a> Models<'a> {
         }
         (scene, division)
     }
-}
-
-/// `operators` with the bodies by series of `model`, and the interface between them, which was `interface`.
-fn reassemble(
-    model: &Model,
-    operators: Vec<Operator>,
-    interface: Interface,
-) -> Result<(Vec<Operator>, Interface), RunError> {
-    let is_kept = |(operator, body): (&Operator, &ModelBody)| match (operator, &body.series) {
-        (Operator::Series(own), Some(series)) => Arc::ptr_eq(own, series),
-        _ => true,
-    };
-    if operators.iter().zip(&model.bodies).all(is_kept) {
-        return Ok((operators, interface));
-    }
-    let renewed = operators.into_iter().zip(&model.bodies);
-    let renewed = renewed.map(|(operator, body)| match &body.series {
-        Some(series) => Operator::Series(Arc::clone(series)),
-        None => operator,
-    });
-    let operators: Vec<Operator> = renewed.collect();
-    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
-    let interface = model.interface(&faces)?;
-    drop(faces);
-    Ok((operators, interface))
 }
 
 /// A division where each load step has nodes of its own.

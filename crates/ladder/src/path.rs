@@ -9,7 +9,7 @@
 //! A change may vanish by chance, so those before count as if every halving took half of them. Only steps whose error is too large are divided further.
 
 use super::numbers::{Table, sum, zipped};
-use crate::results::{EdgeResults, Errors, Stated};
+use stickslip_engine::results::{EdgeResults, Errors, Stated};
 
 /// The error that increments leave is at most so many times the change that halving them last made.
 const SLOWEST: f64 = 4.0;

@@ -1,34 +1,20 @@
-//! The ladder: finer and finer models of a scene until the estimated errors meet what is asked.
-//!
-//! Errors have three parts: that of the [`division`], that of the load [`path`], and where the geometry is left to the program and contact is found on the
-//! undeformed one, a multiple of the difference that deformed gaps make on a coarse model, of elements on the last one.
-//!
-//! docs/accuracy.md shows how often the truth lies within.
-
-mod along;
-mod division;
-mod failure;
-mod geometry;
-mod grading;
-mod limits;
-mod models;
-mod numbers;
-mod path;
-pub(super) mod thinning;
-mod unseen;
+//! Climbs from model to model, and states the errors of the last one.
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Accuracy, Budget, FieldOutput, KinematicsChoice};
 
-use self::along::Along;
-use self::geometry::Geometry;
-use self::grading::Grading;
-use self::models::{Division, Level, Models};
-use self::numbers::{Numbers, Table, balanced_friction, difference, sum};
-use super::{Progress, RunError, results, results_without_audit};
-use crate::model::obstacle_to_half;
-use crate::results::{BodyFailure, EdgeResults, Finding, Ladder, LadderEnd, Results, Rung, Stated};
+use crate::along::Along;
+use crate::geometry::Geometry;
+use crate::grading::Grading;
+use crate::models::{Division, Level, Models};
+use crate::numbers::{Numbers, Table, balanced_friction, difference, sum};
+use crate::{division, failure, path, unseen};
+use stickslip_engine::model::obstacle_to_half;
+use stickslip_engine::results::{
+    BodyFailure, EdgeResults, Finding, Ladder, LadderEnd, Results, Rung, Stated,
+};
+use stickslip_engine::run::{Progress, RunError, results, results_without_audit, run_with};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -53,7 +39,7 @@ const GROWTH: f64 = 4.0;
 ///
 /// # Errors
 /// [`RunError`] of the first models; a finer model that cannot be made leaves the answer of the last one.
-pub(super) fn climb(
+pub(crate) fn climb(
     scene: &Scene,
     solver: &dyn InterfaceSolver,
     progress: &mut dyn FnMut(Progress),
@@ -346,7 +332,7 @@ impl Climb<'_> {
         let along = Along::of_division(&numbers(&levels), self.models.spaced());
         let along = along.and(&path.along).and(&geometry.along);
         let Some(last) = levels.pop() else {
-            return super::run_with(self.scene, self.models.solver(), &mut |_| {});
+            return run_with(self.scene, self.models.solver(), &mut |_| {});
         };
         let along = along.floored(&last.numbers);
         let along = along.into_steps(&last.numbers.geometries);

@@ -10,7 +10,7 @@
 use stickslip_contact::Status;
 
 use super::numbers::{Numbers, Table};
-use crate::results::{EdgeKind, Errors, Stated};
+use stickslip_engine::results::{EdgeKind, Errors, Stated};
 
 /// Fewer nodes that slip do not resolve it.
 const FEWEST: usize = 4;

@@ -1,7 +1,7 @@
 //! The numbers of a model, and tables of their errors.
 
 use super::limits::Missing;
-use crate::results::{EdgeGeometry, EdgeResults, Errors, Stated};
+use stickslip_engine::results::{EdgeGeometry, EdgeResults, Errors, Stated};
 
 /// Errors per step, edge and number.
 pub(super) type Table = Vec<Vec<Errors>>;

@@ -5,7 +5,7 @@
 //! that.
 
 use super::numbers::{Numbers, Table};
-use crate::results::{
+use stickslip_engine::results::{
     BodyFailure, Errors, FailurePoint, FirstPly, JointFailure, PointErrors, Stated,
 };
 
