@@ -17,7 +17,6 @@
 pub mod failure;
 mod load_scale;
 pub mod model;
-pub mod results;
 pub mod run;
 pub mod series;
 
@@ -28,4 +27,6 @@ pub use {
 };
 
 pub use load_scale::LoadScale;
+pub use stickslip_results as results;
+
 pub use results::{ContactFinding, Finding, JointFinding};

@@ -330,7 +330,12 @@ fn reported(
         .phases
         .push(("stresses", model.host.seconds() - start));
     results.phases = solved.phases;
-    results.place(model)?;
+    for body in &mut results.bodies {
+        if let Some(mesh) = &mut body.mesh {
+            *mesh = model.placed(&body.name, mesh)?;
+        }
+    }
+    results.place(model.origin);
     let yields = stresses::yields(model, &results.steps);
     results.findings.extend(yields);
     Ok(results)

@@ -56,7 +56,6 @@ pub mod schema;
 pub mod shape;
 mod table;
 pub mod templates;
-pub mod units;
 
 #[cfg(test)]
 mod tests;
@@ -70,3 +69,4 @@ pub use {
 
 pub use document::Format;
 pub use scene::{Scene, VERSION};
+pub use stickslip_units as units;

@@ -43,29 +43,27 @@ pub(super) fn of_steps(model: &Model, solved: &Solved) -> Vec<Vec<FastenerStep>>
     let largest = layers.map(|layer| size(layer.force)).fold(0.0, f64::max);
     for step in &mut steps {
         for (own, fastener) in step.iter_mut().zip(fasteners()) {
-            own.without_rounding(largest, &fastener.heights);
+            clear_rounding(own, largest, &fastener.heights);
         }
     }
     steps
 }
 
-impl FastenerStep {
-    /// Sets to zero what is rounding beside the largest force `largest` of the history.
-    fn without_rounding(&mut self, largest: f64, heights: &[f64]) {
-        for layer in &mut self.layers {
-            for vector in [&mut layer.force, &mut layer.shear] {
-                if size(*vector) <= ROUNDING * largest {
-                    *vector = [0.0; 2];
-                }
+/// Sets to zero what is rounding in `step` beside the largest force `largest` of the history.
+fn clear_rounding(step: &mut FastenerStep, largest: f64, heights: &[f64]) {
+    for layer in &mut step.layers {
+        for vector in [&mut layer.force, &mut layer.shear] {
+            if size(*vector) <= ROUNDING * largest {
+                *vector = [0.0; 2];
             }
         }
-        let sizes = self.layers.iter().zip(heights);
-        let sizes = sizes.map(|(layer, height)| size(layer.force) * height);
-        let highest = heights.last().copied().unwrap_or_default();
-        let rounding = (BALANCED * sizes.sum::<f64>()).max(ROUNDING * largest * highest);
-        if size(self.tilting) <= rounding {
-            self.tilting = [0.0; 2];
-        }
+    }
+    let sizes = step.layers.iter().zip(heights);
+    let sizes = sizes.map(|(layer, height)| size(layer.force) * height);
+    let highest = heights.last().copied().unwrap_or_default();
+    let rounding = (BALANCED * sizes.sum::<f64>()).max(ROUNDING * largest * highest);
+    if size(step.tilting) <= rounding {
+        step.tilting = [0.0; 2];
     }
 }
 

@@ -1,23 +1,12 @@
 //! From the coordinates of a model to those of its scene.
 
-use crate::model::{Model, ModelError};
-
 use super::{BodyFailure, EdgeGeometry, EdgeKind, EdgeResults, FailurePoint, FirstPly, Results};
 
 impl Results {
-    /// Moves all places, which are those of `model`, to where they are in its scene; what friction laws are given stands there already.
-    ///
-    /// # Errors
-    /// As [`Model::placed`].
-    pub(crate) fn place(&mut self, model: &Model) -> Result<(), ModelError> {
-        let by = model.origin;
+    /// Moves all places by `by` `[mm]`; what friction laws are given stands in its scene already, and meshes of bodies are left where they are.
+    pub fn place(&mut self, by: [f64; 2]) {
         if by == [0.0; 2] {
-            return Ok(());
-        }
-        for body in &mut self.bodies {
-            if let Some(mesh) = &mut body.mesh {
-                *mesh = model.placed(&body.name, mesh)?;
-            }
+            return;
         }
         for step in &mut self.steps {
             for stresses in &mut step.stresses {
@@ -51,7 +40,6 @@ impl Results {
                 EdgeKind::Path => {}
             }
         }
-        Ok(())
     }
 }
 

@@ -8,14 +8,14 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Dimension, Expected, Unit, parse};
 
-/// Prefix of the newtype name under which a [`Quantity`] asks to be read. The scene reader knows it and answers a bad
+/// Prefix of the newtype name under which a [`Quantity`] asks to be read. A reader that knows it answers a bad
 /// quantity with a typed error; any other format reads the text as usual.
-pub(crate) const QUANTITY_TAG: &str = "$quantity/";
+pub const QUANTITY_TAG: &str = "$quantity/";
 /// The same for a [`UnitName`].
-pub(crate) const UNIT_TAG: &str = "$unit/";
+pub const UNIT_TAG: &str = "$unit/";
 
 /// The dimensions that a tag lists after its prefix.
-pub(crate) fn dimensions_of_tag(list: &str) -> Expected {
+pub fn dimensions_of_tag(list: &str) -> Expected {
     let named = |name| {
         Dimension::ALL
             .into_iter()

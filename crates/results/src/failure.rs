@@ -128,7 +128,7 @@ pub struct BesideSupports {
 
 impl BesideSupports {
     /// Leaves the failures that come before those `elsewhere`, by criterion.
-    pub(crate) fn keep_sooner_than(&mut self, elsewhere: &[Option<FirstPly>]) {
+    pub fn keep_sooner_than(&mut self, elsewhere: &[Option<FirstPly>]) {
         for (there, elsewhere) in self.sooner.iter_mut().zip(elsewhere) {
             if let (Some(own), Some(other)) = (&*there, elsewhere)
                 && !own.is_before(other)

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::results::quantity::Quantity;
+use crate::quantity::Quantity;
 
 /// Solvers that failed before a step was solved.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

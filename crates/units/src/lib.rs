@@ -29,9 +29,9 @@ use std::fmt;
 pub use parse::{Expected, UnitError, parse, unit_of};
 pub use quantity::{
     Angle, AngleOrLength, BedStiffness, Force, FractureEnergy, Length, Measure, PerLength,
-    PerTemperature, Quantity, SpringStiffness, Stress, Temperature, UnitName,
+    PerTemperature, QUANTITY_TAG, Quantity, SpringStiffness, Stress, Temperature, UNIT_TAG,
+    UnitName, dimensions_of_tag,
 };
-pub(crate) use quantity::{QUANTITY_TAG, UNIT_TAG, dimensions_of_tag};
 
 /// What a quantity measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
