@@ -5,9 +5,11 @@ mod bearing;
 mod blocks;
 mod doubts;
 mod edges;
+mod error;
 mod failure;
 mod fasteners;
 mod fields;
+mod follow;
 mod progressive;
 mod remarks;
 mod reported;
@@ -19,20 +21,17 @@ mod thinned;
 
 use stickslip_contact::history::Otherwise;
 use stickslip_contact::interface::Group;
-use stickslip_contact::{ContactError, Contacts, Interface, InterfaceSolver, StepRecord};
+use stickslip_contact::{Contacts, InterfaceSolver, StepRecord};
 use stickslip_fem_core::InterfaceOperator;
-use stickslip_fem_core::body::BodyError;
-use stickslip_fem_core::stress::StressError;
-use stickslip_laminate::FailureError;
-use thiserror::Error;
 
 pub use assembled::{Assembled, condense};
-pub use progressive::ProgressiveRunError;
+pub use error::{ProgressiveRunError, RunError};
+pub use follow::{Progress, follow};
 pub use solved::{Operator, OwnNodes, Solved};
 pub use thinned::follow_thinned;
 
 use crate::load_scale::LoadScale;
-use crate::model::{self, Model, ModelError};
+use crate::model::{self, Model};
 use crate::results::{
     BodySummary, Choice, EdgeGeometry, EdgeResults, FastenerStep, Finding, ResultPart, Results,
     StepNotes, StepResults,
@@ -40,62 +39,6 @@ use crate::results::{
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{FieldOutput, SolverChoice};
-
-/// Why a run stopped.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum RunError {
-    /// The scene cannot be modelled.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// A body cannot be condensed.
-    #[error("body '{body}': {cause}")]
-    Body {
-        /// The body.
-        body: String,
-        /// Its reason.
-        #[source]
-        cause: BodyError,
-    },
-    /// A load step was not solved.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
-    /// Stresses could not be recovered.
-    #[error("stresses: {0}")]
-    Stress(#[from] StressError),
-    /// Cannot evaluate the failure criterion of the plies.
-    #[error("failure of body '{body}': {cause}")]
-    Failure {
-        /// The body.
-        body: String,
-        /// Its reason.
-        #[source]
-        cause: FailureError,
-    },
-    /// Plies could not be followed beyond their failure.
-    #[error("progressive failure of body '{body}': {cause}")]
-    Progressive {
-        /// The body.
-        body: String,
-        /// Its reason.
-        #[source]
-        cause: Box<ProgressiveRunError>,
-    },
-}
-
-/// What a run reports while it goes on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Progress {
-    /// A phase begins.
-    Phase(&'static str),
-    /// A load step is done.
-    Step {
-        /// Steps done.
-        done: usize,
-        /// Steps in all.
-        total: usize,
-    },
-}
 
 /// Runs `scene` on the one model that it describes with a contact solver of the caller's choice, [`solver`] of the scene's or another one, and reports to
 /// `progress`. An accuracy that the scene asks for is left to `stickslip-ladder`.
@@ -134,55 +77,6 @@ pub fn solve(
     let mut solved = follow(model, operators, interface, solver, progress)?;
     solved.phases.splice(0..0, phases);
     Ok(solved)
-}
-
-/// Follows the history of `model` with `solver`, on the `interface` of its condensed bodies `operators`.
-///
-/// # Errors
-/// [`RunError::Contact`].
-pub fn follow(
-    model: &Model,
-    operators: Vec<Operator>,
-    interface: Interface,
-    solver: &dyn InterfaceSolver,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<Solved, RunError> {
-    let (records, step_seconds, seconds) = timed(model, progress, |observe| {
-        let faces: Vec<&dyn InterfaceOperator> =
-            operators.iter().map(Operator::interface).collect();
-        let kinematics = model.kinematics(&faces)?;
-        Ok((model.history).follow_parts(&interface, &kinematics, solver, observe)?)
-    })?;
-    Ok(Solved {
-        operators,
-        interface,
-        records,
-        own: None,
-        step_seconds,
-        phases: vec![("contact", seconds)],
-    })
-}
-
-/// What `walk` finds of the history of `model`, with the wall time of every load step and of all `[s]`; `walk` calls its argument when a step is done.
-fn timed<T>(
-    model: &Model,
-    progress: &mut dyn FnMut(Progress),
-    walk: impl FnOnce(&mut dyn FnMut()) -> Result<T, RunError>,
-) -> Result<(T, Vec<f64>, f64), RunError> {
-    progress(Progress::Phase("contact"));
-    let start = model.host.seconds();
-    let total = model.history.steps().len();
-    let (mut step_seconds, mut last) = (Vec::with_capacity(total), start);
-    let found = walk(&mut || {
-        let now = model.host.seconds();
-        step_seconds.push(now - last);
-        last = now;
-        progress(Progress::Step {
-            done: step_seconds.len(),
-            total,
-        });
-    })?;
-    Ok((found, step_seconds, model.host.seconds() - start))
 }
 
 /// The solver of a choice.

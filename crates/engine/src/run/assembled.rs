@@ -5,8 +5,9 @@ use std::sync::Arc;
 use stickslip_contact::Interface;
 use stickslip_fem_core::{InterfaceOperator, parallel};
 
+use super::error::RunError;
+use super::follow::Progress;
 use super::solved::Operator;
-use super::{Progress, RunError};
 use crate::model::{Model, ModelBody, ModelBodyKind};
 
 /// The condensed bodies of a model and their interface problem, ready for any history of loads.

@@ -13,8 +13,9 @@ use stickslip_fem_core::parallel;
 use stickslip_fem_core::stress::StressError;
 use stickslip_laminate::{FailureCriterion, FailureError};
 
+use super::error::RunError;
 use super::fields::Recovered;
-use super::{RunError, progressive, stresses};
+use super::{progressive, stresses};
 use crate::failure::{PlyStresses, Sites, Tracker};
 use crate::load_scale::LoadScale;
 use crate::model::{FailingBody, Model, ModelBodyKind};

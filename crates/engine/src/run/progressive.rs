@@ -16,71 +16,19 @@ use stickslip_contact::{ContactPair, InterfaceSolver};
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::{ElasticBody, QuadraturePoints};
 use stickslip_joint::{
-    CrackBand, CrackBandError, Ending, FractureEnergies, Gauge, Halt, Hole, Joint, JointBody,
-    JointError, JointHistory, Mark, Options, PlyEventKind, ProgressiveBody, Pull,
+    CrackBand, CrackBandError, Ending, FractureEnergies, Gauge, Hole, Joint, JointBody, JointError,
+    JointHistory, Mark, Options, PlyEventKind, ProgressiveBody, Pull,
 };
 use stickslip_laminate::Degradation;
-use stickslip_laminate::progressive::{PointModel, ProgressiveError};
-use thiserror::Error;
+use stickslip_laminate::progressive::PointModel;
 
-use super::RunError;
+use super::error::{ProgressiveRunError, RunError};
 use crate::model::{FollowedJoint, Model, ModelBodyKind};
 use crate::results::{
     BearingSource, BodyFailure, ContactFrame, CurvePoint, LinearJoint, PlyLoss, ProgressiveEnd,
     ProgressiveFailure,
 };
 use stickslip_scene::schema::{Axis, Control, LaminateSheet, Progressive};
-
-/// Why a joint could not be followed beyond the failure of its plies.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum ProgressiveRunError {
-    /// Strengths could not be scaled by fracture energies.
-    #[error(transparent)]
-    CrackBand(#[from] CrackBandError),
-    /// The plies' model refused the laminate.
-    #[error(transparent)]
-    Model(#[from] ProgressiveError),
-    /// The joint cannot be built or followed at all.
-    #[error(transparent)]
-    Joint(#[from] JointError),
-    /// The pin never presses on the bearing point.
-    #[error(
-        "the pin never presses on the bearing point of '{body}', at {angle_deg:.0}° of its hole, where the load of a joint is read: turn the load or the drive round, or drive it farther"
-    )]
-    WrongWay {
-        /// The body.
-        body: String,
-        /// Place of the bearing point, from +x `[degree]`.
-        angle_deg: f64,
-    },
-    /// The history ended before the pin pressed.
-    #[error(
-        "the pin did not press before the history ended, at {percent:.3} % of load step {}: {cause}", .step + 1
-    )]
-    NothingBorne {
-        /// Index of the load step, from 0.
-        step: usize,
-        /// Part of it that was reached `[%]`.
-        percent: f64,
-        /// Why no equilibrium was found beyond.
-        cause: Halt,
-    },
-    /// Nothing says where the pin bears.
-    #[error(
-        "no load presses the pin against the hole of '{body}', so its bearing point is unknown: give the scene the load that the joint is to bear, or drive it by failure.progressive.control.displacement"
-    )]
-    NoBearing {
-        /// The body.
-        body: String,
-    },
-    /// Nothing of the model touches the hole.
-    #[error("no contact touches the hole of '{body}'")]
-    NoPin {
-        /// The body.
-        body: String,
-    },
-}
 
 /// A body whose failure is followed.
 pub(super) struct Subject<'a> {

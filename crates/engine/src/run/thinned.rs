@@ -5,8 +5,9 @@ use stickslip_contact::{Interface, InterfaceSolver, Kinematics};
 use stickslip_fem_core::{InterfaceOperator, parallel};
 
 use super::assembled::Assembled;
+use super::error::RunError;
+use super::follow::{Progress, follow, timed};
 use super::solved::{Operator, OwnNodes, Solved};
-use super::{Progress, RunError, timed};
 use crate::model::Model;
 
 /// Follows the history of `model` with `solver` on the nodes `chosen` in each load step, the same on every contact edge; on all nodes where contact points are not
@@ -41,7 +42,7 @@ pub fn follow_thinned(
         Ok(Some((thinned, thin)))
     })?;
     let (Some((thinned, thin)), step_seconds, seconds) = found else {
-        return super::follow(model, operators, interface, solver, progress);
+        return follow(model, operators, interface, solver, progress);
     };
     Ok(Solved {
         operators,
