@@ -7,6 +7,7 @@
 //! the exact curves.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
 use stickslip_fem_core::mesh::Point;
@@ -48,6 +49,8 @@ struct Turn {
 struct Part {
     ends: [Point; 2],
     halfway: Point,
+    /// By how many times its cells are smaller than the largest.
+    refined: f64,
     track: usize,
 }
 
@@ -75,7 +78,7 @@ impl Framed {
         let [low, high] = outline.bounds;
         let centre = middle(low, high);
         let unit = (high[0] - low[0]).max(high[1] - low[1]);
-        let drawing = Drawing::new(outline, holes, (centre, unit));
+        let drawing = Drawing::new(outline, holes, &division.refined, (centre, unit));
         let ways = Turn::all().map(|turn| (turn, drawing.turned(turn)));
         let keys = ways.map(|(turn, drawing)| (drawing.key(), turn, drawing));
         let first = keys.into_iter().min_by(|a, b| ordered(&a.0, &b.0));
@@ -167,13 +170,19 @@ impl Turn {
 }
 
 impl Drawing {
-    fn new(outline: &Outline, holes: &[Hole], (centre, unit): (Point, f64)) -> Self {
+    fn new(
+        outline: &Outline,
+        holes: &[Hole],
+        refined: &BTreeMap<usize, f64>,
+        (centre, unit): (Point, f64),
+    ) -> Self {
         let place = |point: Point| [0, 1].map(|c| on_grid((point[c] - centre[c]) / unit));
         let part = |track: usize| {
             let own = &outline.tracks[track];
             Part {
                 ends: [own.from, own.to].map(place),
                 halfway: place(own.at(own.length() / 2.0)),
+                refined: refined.get(&outline.numbers[track]).copied().unwrap_or(1.0),
                 track,
             }
         };
@@ -219,10 +228,13 @@ impl Drawing {
         Self { loops, eyes }
     }
 
-    /// Its coordinates one after another.
+    /// Its numbers one after another.
     fn key(&self) -> Vec<f64> {
         let parts = self.loops.iter().flatten();
-        let lines = parts.flat_map(|part| part.ends[0].into_iter().chain(part.halfway));
+        let lines = parts.flat_map(|part| {
+            let places = part.ends[0].into_iter().chain(part.halfway);
+            places.chain([part.refined])
+        });
         let circles = self.eyes.iter().flat_map(|eye| {
             let angles = eye.angles.iter().map(|&(angle, _)| angle);
             eye.centre.into_iter().chain([eye.radius]).chain(angles)
@@ -260,7 +272,7 @@ impl Part {
         Self {
             ends,
             halfway: turn.of(self.halfway),
-            track: self.track,
+            ..*self
         }
     }
 

@@ -17,6 +17,9 @@ use crate::vector::least_sine;
 
 use delaunay::{Delaunay, key, plain, triangulated};
 
+/// Sine of the least angle asked for, 28°.
+const FLAT: f64 = 0.469;
+
 /// Sine of the least angle accepted where fixed edges force it, 5°.
 const FLATTEST: f64 = 0.0872;
 

@@ -6,9 +6,8 @@ use spade::Triangulation;
 use spade::handles::{FixedFaceHandle, FixedVertexHandle, InnerTag};
 use stickslip_fem_core::mesh::Point;
 
-use super::Refinement;
 use super::delaunay::{crossed, key, plain, position, refused};
-use super::rounds::FLAT;
+use super::{FLAT, Refinement};
 use crate::ContourError;
 use crate::edges::Segment;
 use crate::vector::{circumcircle, distance, dot, least_sine, minus, orient};

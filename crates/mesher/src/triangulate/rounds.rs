@@ -3,16 +3,13 @@
 //! A triangle is bad if its circumradius exceeds [`ROUGH`] h or the sine of its least angle is below [`FLAT`]. Its circumcentre becomes a node unless
 //! a boundary edge hides it or has it in its diametral circle; such an edge is halved on its true curve, unless it is fixed.
 
-use super::Refinement;
 use super::mend::Outcome;
+use super::{FLAT, Refinement};
 use crate::ContourError;
 use crate::vector::{circumcircle, least_sine};
 
 /// Largest circumradius in sizes; equilateral cells of side h have 0.577.
 const ROUGH: f64 = 0.65;
-
-/// Sine of the least angle asked for, 28°.
-pub(super) const FLAT: f64 = 0.469;
 
 /// Rounds before refinement is given up.
 const ROUNDS: usize = 200;

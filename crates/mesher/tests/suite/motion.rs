@@ -160,6 +160,28 @@ fn triangles_do_not_depend_on_how_a_body_is_drawn() {
     }
 }
 
+/// Edges that are to be finer belong to what is drawn.
+#[test]
+fn fine_edges_turn_with_their_body() {
+    let nodes = |turned: bool| {
+        let contour = all().swap_remove(0).1;
+        let contour = if turned {
+            mapped(&contour, |[x, y]| [-x, -y], |a| a + std::f64::consts::PI)
+        } else {
+            contour
+        };
+        let division = Division {
+            refined: [(0, 6.0)].into(),
+            ..Division::default()
+        };
+        let mesh = ContourMesh { contour, division }
+            .mesh(100_000)
+            .expect("a mesh");
+        mesh.nodes().len()
+    };
+    assert_eq!(nodes(false), nodes(true));
+}
+
 /// Bodies that are their own mirror images have such triangles.
 #[test]
 fn triangles_of_symmetric_bodies_are_symmetric() {

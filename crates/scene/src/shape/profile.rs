@@ -260,15 +260,6 @@ impl Profile {
     }
 }
 
-/// A binary fraction of the size of a body, to multiples of which coordinates are rounded, by 3·10⁻¹⁴ of the size at most, so that its triangles do not
-/// hang on the rounding of the coordinates that it has somewhere else.
-fn unit_of_size(contour: &Contour) -> f64 {
-    const DIGITS: i32 = 44;
-    let [low, high] = contour.bounds();
-    let size = (high[0] - low[0]).max(high[1] - low[1]);
-    f64::exp2(size.log2().floor() - f64::from(DIGITS))
-}
-
 /// The same body with its points where `place` puts them.
 fn placed(contour: &Contour, place: impl Fn(Point) -> Point) -> Contour {
     let mut own = contour.clone();
@@ -354,7 +345,7 @@ impl Outline for Profile {
         let kind = self.cells(divided.kind).ok_or(DivisionError::NoCells {
             kind: divided.kind.name(),
         })?;
-        // About its start, so that triangles do not hang on where the body stands.
+        // About its start, which keeps the digits of circles through three points far from the origin.
         let start = self.contour.start;
         let mut contour = placed(&self.contour, |at| [at[0] - start[0], at[1] - start[1]]);
         for hole in &mut contour.holes {
@@ -383,10 +374,7 @@ impl Outline for Profile {
 
     fn moved(&self, by: Point) -> Option<Shape> {
         let moved = self.mapped(|at| [at[0] + by[0], at[1] + by[1]]);
-        let unit = unit_of_size(&moved.contour);
-        Some(Shape::Profile(
-            moved.mapped(|at| at.map(|x| (x / unit).round() * unit)),
-        ))
+        Some(Shape::Profile(moved))
     }
 
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String {

@@ -401,7 +401,7 @@ fn unloaded_bolts_are_released() {
         .replace("\"114 mm\"", "\"138 mm\"")
         .replace(
             "hole-5 =",
-            "hole-6 = { centre = [\"120 mm\", \"0 mm\"], radius = \"3 mm\" }\nhole-5 =",
+            "hole-6 = { centre = [\"120 mm\", \"0.7 mm\"], radius = \"3 mm\" }\nhole-5 =",
         )
         .replace(
             "[mesh]",
