@@ -54,14 +54,13 @@ fn compare(sample: &Sample, other: &Sample, own: &Answer, answer: &Answer) -> Ve
 
 /// The mirror image of the scene has the mirror image of the answer.
 pub(super) fn mirrored(sample: &Sample) -> Verdict {
-    let round = sample.is_round();
-    let mut bodies = super::quantity::table(&sample.value, "bodies");
-    // A rectangle and triangles of outlines have no mirror images.
-    let flat = bodies.any(|(_, body)| {
-        let mut shapes = ["rectangle", "outline"].into_iter();
-        shapes.any(|shape| body["shape"].get(shape).is_some())
-    });
-    if flat || sample.is_half() {
+    let has = |shape: &str| {
+        let mut bodies = super::quantity::table(&sample.value, "bodies");
+        bodies.any(|(_, body)| body["shape"].get(shape).is_some())
+    };
+    let round = sample.is_round() || has("disk");
+    // The cells of a rectangle have no mirror image.
+    if has("rectangle") || sample.is_half() {
         return Verdict::Beside;
     }
     let mut scene = transform::mirrored(&sample.value, round);

@@ -29,6 +29,16 @@ pub(super) fn mirrored(scene: &Value, round: bool) -> Value {
             swap(entry, sides);
         }
     }
+    for body in scene["bodies"]
+        .as_object_mut()
+        .into_iter()
+        .flat_map(|bodies| bodies.values_mut())
+    {
+        negate(body.get_mut("angle"));
+        if let Some(outline) = body["shape"].get_mut("outline") {
+            mirror_outline(outline, across, sides);
+        }
+    }
     for support in list_mut(&mut scene, "supports") {
         let axis = ["x", "y"][across];
         let fixes = support.get("fix").and_then(Value::as_array);
@@ -49,6 +59,36 @@ pub(super) fn mirrored(scene: &Value, round: bool) -> Value {
         }
     }
     scene
+}
+
+/// The image of an outline, counter-clockwise again; edges on swapped sides have their names.
+fn mirror_outline(outline: &mut Value, across: usize, sides: [&str; 2]) {
+    let mirror = |point: &mut Value| negate(point.get_mut(across));
+    mirror(&mut outline["start"]);
+    let start = outline["start"].clone();
+    let mut edges: Vec<Value> = list_mut(outline, "edges").map(|edge| edge.take()).collect();
+    let mut begin = start.clone();
+    for edge in &mut edges {
+        for key in ["to", "through"] {
+            edge.get_mut(key).map(mirror);
+        }
+        if let Some(side) = sides.iter().position(|side| edge["name"] == **side) {
+            edge["name"] = sides[1 - side].into();
+        }
+        // Walked the other way, an edge ends where it began.
+        let end = edge.get("to").cloned();
+        edge["to"] = std::mem::replace(&mut begin, end.unwrap_or_else(|| start.clone()));
+    }
+    edges.reverse();
+    outline["edges"] = edges.into();
+    for hole in outline
+        .get_mut("holes")
+        .and_then(Value::as_object_mut)
+        .into_iter()
+        .flat_map(|holes| holes.values_mut())
+    {
+        mirror(&mut hole["centre"]);
+    }
 }
 
 /// Turned counter-clockwise by `quarters` of a turn.
