@@ -200,6 +200,13 @@ pub enum ContactFinding {
         /// Fewest nodes of a part of the contact.
         nodes: usize,
     },
+    /// The mesh does not resolve the largest pressure of an open edge.
+    PeakUnresolved {
+        /// Load steps in which less than two element edges carry more than half of it.
+        steps: Vec<usize>,
+        /// Fewest nodes that do.
+        nodes: usize,
+    },
     /// Numbers of it grow with every finer division and have no limit, so that no error is stated.
     NoLimit {
         /// Load steps with such numbers.

@@ -75,6 +75,24 @@ impl EdgeResults {
         Some(nodes >= geometry.nodes_to_resolve())
     }
 
+    /// Number of nodes around the largest pressure of an open edge at which it is more than half as large; `None` of other edges and without pressure.
+    pub fn nodes_of_peak(&self, geometry: &EdgeGeometry) -> Option<usize> {
+        if geometry.kind != EdgeKind::Path {
+            return None;
+        }
+        let pressures: Vec<f64> = self.rows.iter().map(|row| row.pressure).collect();
+        let largest =
+            (0..pressures.len()).max_by(|&a, &b| pressures[a].total_cmp(&pressures[b]))?;
+        let is_high = |k: &&f64| **k > 0.5 * pressures[largest];
+        let before = pressures[..largest]
+            .iter()
+            .rev()
+            .take_while(is_high)
+            .count();
+        let after = pressures[largest..].iter().take_while(is_high).count();
+        (after > 0).then_some(before + after)
+    }
+
     /// Pressure of each node of the whole edge in walk order, `None` at open ones; of a half the mirror image comes first.
     fn whole(&self, geometry: &EdgeGeometry) -> Vec<Option<f64>> {
         let own: Vec<Option<f64>> = (self.rows.iter())

@@ -8,7 +8,7 @@ use stickslip_contact::{ContactPair, ContactPoint, Stencil, StepRecord};
 
 use super::remarks::steps_where;
 use super::solved::Solved;
-use crate::model::Model;
+use crate::model::{Model, ModelEdge};
 use crate::results::{
     CoarseLoadPath, ContactFinding, CutBackEffect, EdgeGeometry, EdgeResults, Finding, Quantity,
     SolverDependence, StepResults,
@@ -28,7 +28,12 @@ pub(super) fn of_steps(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
         .chain(other_solver(steps))
         .chain(no_other_solver(steps))
         .chain(unbalanced(steps))
-        .chain(edges.filter_map(|(index, edge)| unresolved(&edge.geometry, index, steps)))
+        .chain(
+            edges
+                .clone()
+                .filter_map(|(index, edge)| unresolved(&edge.geometry, index, steps)),
+        )
+        .chain(edges.filter_map(|(index, edge)| unresolved_peak(edge, index, steps)))
         .collect()
 }
 
@@ -222,6 +227,22 @@ fn unresolved(geometry: &EdgeGeometry, index: usize, steps: &[StepResults]) -> O
     let nodes = steps.iter().filter_map(edge).min()?;
     let steps = steps_where(steps, |step| edge(step).is_some())?;
     let found = ContactFinding::Unresolved { steps, nodes };
+    Some(Finding::about(&geometry.name, found))
+}
+
+/// Where the largest pressure of a contact that is resolved rests on too few nodes; at corners that press it has no limit.
+fn unresolved_peak(edge: &ModelEdge, index: usize, steps: &[StepResults]) -> Option<Finding> {
+    let geometry = &edge.geometry;
+    let few = |step: &StepResults| -> Option<usize> {
+        let own = &step.edges[index];
+        let is_corner = edge.corners_that_press(&own.rows).contains(&true);
+        let is_judged = !is_corner && own.is_resolved(geometry) == Some(true);
+        let nodes = own.nodes_of_peak(geometry).filter(|_| is_judged)?;
+        (nodes < geometry.nodes_to_resolve()).then_some(nodes)
+    };
+    let nodes = steps.iter().filter_map(few).min()?;
+    let steps = steps_where(steps, |step| few(step).is_some())?;
+    let found = ContactFinding::PeakUnresolved { steps, nodes };
     Some(Finding::about(&geometry.name, found))
 }
 

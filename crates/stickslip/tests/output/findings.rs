@@ -170,6 +170,10 @@ fn of_a_contact() -> Vec<Finding> {
             steps: steps(),
             nodes: 1,
         },
+        ContactFinding::PeakUnresolved {
+            steps: steps(),
+            nodes: 2,
+        },
         ContactFinding::NoLimit {
             steps: steps(),
             numbers: vec!["peak pressure", "peak tangential stress"],

@@ -55,6 +55,12 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             numbers(steps),
             if *nodes == 1 { "node" } else { "nodes" }
         ),
+        ContactFinding::PeakUnresolved { steps, nodes } => format!(
+            "The mesh does not resolve the largest pressure of contact '{name}' in load step {}: it is more than half as large at {nodes} {} only. \
+             That pressure and stresses nearby depend on the mesh. Give the edge there more `refine`, or reduce mesh.spacing.",
+            numbers(steps),
+            if *nodes == 1 { "node" } else { "nodes" }
+        ),
         ContactFinding::NoLimit { steps, numbers: of } => format!(
             "No error is stated for the {} of contact '{name}' in load step {}: friction jumps from one direction or one value to another at a point, \
              stress there grows without limit, like the logarithm of the spacing, and the value is that of this division.",
