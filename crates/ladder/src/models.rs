@@ -1,12 +1,14 @@
 //! The models of a ladder.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_friction::History;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp};
+use stickslip_scene::schema::{
+    Body, Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp,
+};
 
 use super::division::Spaced;
 use super::grading::{Domain, Grading};
@@ -387,11 +389,7 @@ impl<'a> Models<'a> {
                 format!("{}, {}", self.kind(), scene.mesh.division)
             }
             (None, Some(count)) => format!("series, {count} nodes on half a circle"),
-            (None, None) => format!(
-                "{} cells, {}",
-                scene.mesh.element.name(),
-                scene.mesh.division
-            ),
+            (None, None) => format!("{} cells, {}", cells(&scene), scene.mesh.division),
         };
         if let Some(own) = &scene.mesh_by_lengths {
             division = format!("{division} and {}", own.division);
@@ -401,6 +399,16 @@ impl<'a> Models<'a> {
         }
         (scene, division)
     }
+}
+
+/// The kinds of cells that the bodies of a scene have.
+fn cells(scene: &Scene) -> String {
+    let kind = |body: &Body| {
+        let asked = body.mesh.as_ref().unwrap_or(&scene.mesh).element;
+        body.shape.cells(asked).unwrap_or(asked).name()
+    };
+    let names: BTreeSet<&str> = scene.bodies.values().map(kind).collect();
+    names.into_iter().collect::<Vec<_>>().join(" and ")
 }
 
 /// A division where each load step has nodes of its own.

@@ -67,6 +67,16 @@ impl Grid {
             };
             return Err(document.error(&key, Part::Key, problem));
         }
+        let counts = [("columns", columns), ("rows", rows)].into_iter();
+        for (part, (name, count)) in pitch.iter().flatten().zip(counts) {
+            if part.value() == 0.0 && count.is_some_and(|count| count > 1) {
+                let problem = SceneProblem::conflict(
+                    format!("the pitch of its {name} is 0, so that copies stand in one place"),
+                    format!("give another pitch, or leave {name} out"),
+                );
+                return Err(document.error(&child(&key, "pitch"), Part::Value, problem));
+            }
+        }
         Ok(Some(Self {
             rows: rows.unwrap_or(1),
             columns: columns.unwrap_or(1),

@@ -93,7 +93,39 @@ pub(super) fn expand_lists(document: &mut Document, names: &Names) -> Result<(),
         }
         copy_places(document, list, &copies);
     }
+    failing_bodies(document, names);
     fasteners(document, names)
+}
+
+/// Bodies that are patterns in the list of those whose failure is asked for.
+fn failing_bodies(document: &mut Document, names: &Names) {
+    let key = "failure.bodies";
+    let Some(Value::Array(bodies)) = document.get(key).cloned() else {
+        return;
+    };
+    let (mut all, mut copies) = (Vec::new(), Vec::new());
+    for (index, body) in bodies.into_iter().enumerate() {
+        let grid = body.as_str().and_then(|text| names.grids.get(text));
+        let cells = grid.into_iter().flat_map(Grid::cells);
+        let mut named: Vec<Value> = cells
+            .map(|cell| {
+                let mut copy = body.clone();
+                rename(&mut copy, names, cell);
+                copy
+            })
+            .collect();
+        if named.is_empty() {
+            named.push(body);
+        }
+        copies.extend(
+            (all.len()..all.len() + named.len()).map(|k| (k.to_string(), index.to_string())),
+        );
+        all.extend(named);
+    }
+    if let Some(written) = document.get_mut(key) {
+        *written = Value::Array(all);
+    }
+    copy_places(document, key, &copies);
 }
 
 fn fasteners(document: &mut Document, names: &Names) -> Result<(), SceneError> {

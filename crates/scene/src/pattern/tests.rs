@@ -180,6 +180,42 @@ pressure.steps = ["1 MPa"]
 }
 
 #[test]
+fn the_failure_of_a_pattern_is_that_of_its_copies() {
+    let text = HEAD.to_owned()
+        + r#"
+[plies.tape]
+e1 = "140 GPa"
+e2 = "10 GPa"
+g12 = "5 GPa"
+nu12 = 0.3
+thickness = "0.25 mm"
+strengths = { xt = "1500 MPa", xc = "1200 MPa", yt = "50 MPa", yc = "200 MPa", s12 = "70 MPa" }
+[materials.sheet.laminate]
+layup = "[0/90]s"
+ply = "tape"
+[bodies.strip]
+material = "sheet"
+shape.rectangle = { width = "10 mm", height = "5 mm" }
+position = ["0 mm", "60 mm"]
+mesh.spacing = "1 mm"
+pattern = { columns = 2, pitch = ["30 mm", "0 mm"] }
+[[supports]]
+on = "strip.left"
+fix = ["x", "y"]
+[[loads]]
+name = "bend"
+on = "strip.top"
+pressure.steps = ["0.1 MPa"]
+[failure]
+bodies = ["strip"]
+criteria = ["tsai_wu"]
+"#;
+    let scene = read(&text, &["mesh.spacing=4 mm"]).unwrap();
+    let failure = scene.failure.unwrap();
+    assert_eq!(failure.bodies, ["strip_1_1", "strip_1_2"]);
+}
+
+#[test]
 fn patterns_that_do_not_fit_are_refused_where_they_stand() {
     let text = format!("{HEAD}{PATTERN}");
     for (from, to, part) in [
@@ -214,6 +250,11 @@ fn patterns_that_do_not_fit_are_refused_where_they_stand() {
             "pitch = [\"24.2 mm\", \"20 mm\"]",
             "pitch = [\"4 mm\", \"20 mm\"]",
             "overlap",
+        ),
+        (
+            "pitch = [\"24.2 mm\", \"20 mm\"]",
+            "pitch = [\"24.2 mm\", \"0 mm\"]",
+            "the pitch of its rows is 0",
         ),
     ] {
         assert!(text.contains(from), "{from}");

@@ -307,29 +307,41 @@ pub(super) fn resultant(sample: &Sample) -> Verdict {
     })
 }
 
-/// Areas of the nodes of a circle, times `scale` = radius × thickness: by the trapezoidal rule, by Simpson's on quadratic edges.
+/// Areas of the nodes of a circle, times `scale` = radius × thickness, by the rule of Gauss and Lobatto on whose nodes edges of order n have theirs,
+///
+/// ```text
+/// w = 2 / (n (n + 1) Pₙ(x)²)  on −1 … 1,
+/// ```
+///
+/// the trapezoidal rule on linear edges and Simpson's on quadratic ones.
 fn areas(geometry: &EdgeGeometry, scale: f64) -> Option<Vec<f64>> {
     let (angles, corners) = (&geometry.parameter, &geometry.corner);
     let count = angles.len();
-    let shares: &[f64] = if corners.contains(&false) {
-        &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]
-    } else {
-        &[0.5, 0.5]
-    };
-    let stride = shares.len() - 1;
     let first = corners.iter().position(|corner| *corner)?;
+    let order = (1..count).find(|k| corners[(first + k) % count])?;
     let end = if geometry.half {
-        count - stride
+        count - order
     } else {
         first + count
     };
     let at = |k: usize| angles[k % count] + TAU * (k / count) as f64;
     let mut areas = vec![0.0; count];
-    for start in (first..end).step_by(stride) {
-        let length = scale * (at(start + stride) - at(start));
-        for (offset, share) in shares.iter().enumerate() {
-            areas[(start + offset) % count] += share * length;
+    for start in (first..end).step_by(order) {
+        let length = at(start + order) - at(start);
+        for node in start..=start + order {
+            let x = 2.0 * (at(node) - at(start)) / length - 1.0;
+            let share = 1.0 / ((order * (order + 1)) as f64 * legendre(order, x).powi(2));
+            areas[node % count] += share * scale * length;
         }
     }
     Some(areas)
+}
+
+/// Legendre's polynomial of degree `order`.
+fn legendre(order: usize, x: f64) -> f64 {
+    let terms = (1..order).map(|k| k as f64);
+    let (last, _) = terms.fold((x, 1.0), |(now, before), k| {
+        (((2.0 * k + 1.0) * x * now - k * before) / (k + 1.0), now)
+    });
+    last
 }
