@@ -62,6 +62,8 @@ pub struct FieldPlot<'a> {
     pub mirror: Option<[f64; 3]>,
     /// A value along which a line is drawn.
     pub contour: Option<f64>,
+    /// Whether the places of the least and the largest value are written, which those of displaced nodes are not.
+    pub show_places: bool,
     /// Largest width of the whole figure \[px\].
     pub width: f64,
 }
@@ -90,6 +92,7 @@ impl<'a> FieldPlot<'a> {
             draw_mesh: false,
             mirror: None,
             contour: None,
+            show_places: true,
             width: 720.0,
         }
     }
@@ -140,6 +143,13 @@ impl<'a> FieldPlot<'a> {
     #[must_use]
     pub fn contour(mut self, level: f64) -> Self {
         self.contour = Some(level);
+        self
+    }
+
+    /// Says that nodes are displaced: the least and the largest value are written without their places.
+    #[must_use]
+    pub fn displaced(mut self) -> Self {
+        self.show_places = false;
         self
     }
 

@@ -63,9 +63,10 @@ fn color_at(picture: &Svg, part_x: f64, part_y: f64) -> [u8; 3] {
 fn a_field_has_labels_extremes_and_the_ends_of_its_bar() {
     let (nodes, cells) = grid(8, 4);
     let values = values(&nodes, |x, y| 100.0 * x - 50.0 * y);
-    let picture = FieldPlot::new("Field", "σ_xx [MPa] < all", "mm", &nodes, &cells, &values)
-        .render()
-        .unwrap();
+    let plot = FieldPlot::new("Field", "σ_xx [MPa] < all", "mm", &nodes, &cells, &values);
+    let picture = plot.clone().render().unwrap();
+    let displaced = texts(&plot.displaced().render().unwrap());
+    assert!(displaced.contains(&"min −50.00, max 200.0".to_owned()));
     let texts = texts(&picture);
     for expected in [
         "Field",

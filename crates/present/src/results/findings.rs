@@ -333,7 +333,7 @@ fn percent(part: f64) -> String {
     } else {
         0
     };
-    format!("{value:.digits$} %")
+    format!("{value:.digits$} %").replace('-', "−")
 }
 
 /// A finding in `summary.json`: its kind first, then its numbers, quantities in display units.

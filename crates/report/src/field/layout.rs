@@ -49,7 +49,7 @@ impl Layout {
             extent,
             bar_axis,
             range,
-            stated: describe(extremes, extent),
+            stated: describe(extremes, plot.show_places.then_some(extent)),
         };
         // Ticks and margins depend on each other: each pass has the margins of the last.
         let guess = Margins {
@@ -128,21 +128,20 @@ impl Placer<'_> {
     }
 }
 
-/// The least and largest value and their places as text, places to a ten-thousandth of the picture or finer; empty if there are none.
-fn describe(extremes: Option<&[[f64; 3]; 2]>, extent: [Span; 2]) -> String {
+/// The least and largest value as text, within `extent` with their places, to a ten-thousandth of the picture or finer; empty if there are none.
+fn describe(extremes: Option<&[[f64; 3]; 2]>, extent: Option<[Span; 2]>) -> String {
     let Some([least, largest]) = extremes else {
         return String::new();
     };
-    let [dx, dy] = extent.map(|span| span.high - span.low);
-    let grain = 10_f64.powf((1e-4 * dx.max(dy)).log10().floor());
-    let coordinate = |value: f64| significant((value / grain).round() * grain, 4);
-    let place = |[x, y, value]: &[f64; 3]| {
-        format!(
-            "{} at ({}, {})",
-            significant(*value, 4),
-            coordinate(*x),
-            coordinate(*y)
-        )
+    let place = |[x, y, _]: &[f64; 3]| {
+        let [dx, dy] = extent?.map(|span| span.high - span.low);
+        let grain = 10_f64.powf((1e-4 * dx.max(dy)).log10().floor());
+        let coordinate = |value: f64| significant((value / grain).round() * grain, 4);
+        Some(format!(" at ({}, {})", coordinate(*x), coordinate(*y)))
     };
-    format!("min {}, max {}", place(least), place(largest))
+    let stated = |node: &[f64; 3]| {
+        let at = place(node).unwrap_or_default();
+        format!("{}{at}", significant(node[2], 4))
+    };
+    format!("min {}, max {}", stated(least), stated(largest))
 }

@@ -113,7 +113,8 @@ impl<'a> Shape<'a> {
             &cells,
             &values,
         )
-        .subtitle(format!("Von Mises stress at {}", load.step_text(self.step)));
+        .subtitle(format!("Von Mises stress at {}", load.step_text(self.step)))
+        .displaced();
         let own = results.steps[self.step].stresses.iter();
         let own = own.clone().find(|own| own.body == self.fields.body);
         let largest = own.map(|own| units.stress.from_base(own.von_mises.stress));
