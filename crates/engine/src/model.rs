@@ -1,8 +1,11 @@
 //! From a checked scene to condensed bodies and one interface problem: the choices are made here, and said.
 
 mod bearing;
+mod body;
 mod compliance;
 mod contacts;
+mod edge;
+mod error;
 mod extent;
 mod fasteners;
 mod half_plane;
@@ -25,279 +28,31 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use stickslip_contact::{ContactError, ContactPair, DeformedGaps, Facing, Kinematics, LoadHistory};
-use stickslip_fem_core::body::BodyError;
-use stickslip_fem_core::generate::GenerateError;
-use stickslip_fem_core::material::{Material, MaterialError};
-use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
-use stickslip_fem_core::{CondensedBody, ElasticBody, InterfaceOperator, RigidBody};
+use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::material::Material;
+use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_friction::Mirror;
-use thiserror::Error;
 
-use crate::results::{Choice, EdgeGeometry, EdgeRow, Finding};
-use crate::series::SeriesBody;
+use crate::results::{Choice, Finding};
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
 use stickslip_scene::placement;
 use stickslip_scene::schema::KinematicsChoice;
 
+pub use body::{ModelBody, ModelBodyKind};
+pub use edge::{EdgeEnd, ModelEdge};
+pub use error::ModelError;
 pub use fasteners::ModelFastener;
 pub use load_table::LoadTable;
 pub use meshes::{BYTES_PER_NODE, NODE_LIMIT};
 pub use request::{FailingBody, FailureRequest, FollowedJoint, Request};
 pub(crate) use room::parts;
 
+use meshes::Meshes;
 use plan::Plan;
 pub use plan::Seat;
 pub use sets::{Measure, ModelSet};
 pub use singular::Singular;
-
-/// Why a scene that reads well cannot be modelled.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum ModelError {
-    /// More nodes than a machine should be asked for.
-    #[error(
-        "the mesh would have about {nodes:.3e} nodes and need about {gigabytes:.1} GB; the limit is {limit:.0e} nodes"
-    )]
-    TooManyNodes {
-        /// The body.
-        body: String,
-        /// Nodes that the scene asks for.
-        nodes: f64,
-        /// Memory of mesh, matrix and factor `[GB]`.
-        gigabytes: f64,
-        /// Limit on the number of nodes.
-        limit: f64,
-    },
-    /// A mesh for which there is too little memory.
-    #[error("body '{body}': the mesh would have about {nodes:.3e} nodes: {message}")]
-    TooLittleMemory {
-        /// The body.
-        body: String,
-        /// Nodes that the scene asks for.
-        nodes: f64,
-        /// The memory that it would take and the memory that there is, as text.
-        message: String,
-    },
-    /// Contacts that share bodies, with more points than there is memory for.
-    #[error(
-        "contact '{contact}' is one of {contacts} that share bodies, with {points} points together: {message}"
-    )]
-    InterfaceTooLarge {
-        /// Name of one of the contacts.
-        contact: String,
-        /// Number of contacts that are solved together.
-        contacts: usize,
-        /// Number of their points.
-        points: usize,
-        /// The memory that all contacts would take and the memory that there is, as text.
-        message: String,
-    },
-    /// A load history of more steps than there is memory for.
-    #[error("the history has {steps} load steps: {message}")]
-    HistoryTooLong {
-        /// Number of load steps.
-        steps: usize,
-        /// The memory that their results would take and the memory that there is, as text.
-        message: String,
-    },
-    /// A mesh generator refused.
-    #[error("body '{body}': {cause}")]
-    Generate {
-        /// The body.
-        body: String,
-        /// Its reason.
-        #[source]
-        cause: GenerateError,
-    },
-    /// A mesh has no such set, or an edge that is not one chain.
-    #[error("body '{body}': {cause}")]
-    Mesh {
-        /// The body.
-        body: String,
-        /// Its reason.
-        #[source]
-        cause: MeshError,
-    },
-    /// Elastic constants that no stable material has.
-    #[error("material '{material}': {cause}")]
-    Material {
-        /// The material.
-        material: String,
-        /// Its reason.
-        #[source]
-        cause: MaterialError,
-    },
-    /// A body cannot be condensed.
-    #[error("body '{body}': {cause}")]
-    Body {
-        /// The body.
-        body: String,
-        /// Its reason.
-        #[source]
-        cause: BodyError,
-    },
-    /// The contact problem cannot be made.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
-    /// Shapes that cannot touch each other here.
-    #[error("contact '{contact}': {what}")]
-    Pairing {
-        /// The contact.
-        contact: String,
-        /// What does not fit, and what does.
-        what: String,
-    },
-    /// Edges that cannot be tied the way the scene says.
-    #[error("contact '{contact}': {what}")]
-    Projection {
-        /// The contact.
-        contact: String,
-        /// Why they cannot.
-        what: String,
-    },
-    /// `model = "series"` or `"half-plane"` for a body that has no such closed form.
-    #[error(
-        "body '{body}' cannot be modelled {model}: it {why}; say model = \"elements\" or \"auto\", and give a mesh"
-    )]
-    NotSeries {
-        /// The body.
-        body: String,
-        /// How it was to be modelled.
-        model: &'static str,
-        /// Why, as the end of a sentence about the body.
-        why: String,
-    },
-    /// `model = "half"` where the scene has no such symmetry.
-    #[error("model = \"half\" asks for symmetry, but {0}; say model = \"whole\" or \"auto\"")]
-    NotSymmetric(String),
-    /// Something that scenes can say and this model cannot do.
-    #[error("{what}")]
-    Unsupported {
-        /// Key of the scene.
-        key: String,
-        /// What is refused, and what can be done instead.
-        what: String,
-    },
-    /// Something that a shape needs in the mesh settings.
-    #[error("mesh: {what}")]
-    MeshSettings {
-        /// The body.
-        body: String,
-        /// What it needs.
-        what: String,
-    },
-}
-
-/// A body ready to be condensed.
-#[derive(Clone, Debug)]
-pub struct ModelBody {
-    /// Name in the scene.
-    pub name: String,
-    /// What it is.
-    pub kind: ModelBodyKind,
-    /// Mesh nodes of its contact points, in the order that pairs refer to; empty for rigid bodies.
-    pub interface: Vec<usize>,
-    /// Ends of its edges among these where its compliance has a block for each; empty where it is one matrix.
-    pub ends: Vec<usize>,
-    /// Coordinate that the two halves differ in, where one of them is modelled.
-    pub across: Option<usize>,
-    /// Where its stresses have no bound.
-    pub singular: Vec<Singular>,
-    /// Von Mises stress at which its material yields `[MPa]`, where the scene gives one.
-    pub yield_stress: Option<f64>,
-    /// Its operator where it is a series, ready; its mesh is then the places where fields are shown.
-    pub series: Option<Arc<SeriesBody>>,
-}
-
-impl ModelBody {
-    /// The body, its mesh, loads and materials; `None` for a rigid one.
-    pub fn elastic(&self) -> Option<&Arc<ElasticBody>> {
-        match &self.kind {
-            ModelBodyKind::Elastic(body) => Some(body),
-            ModelBodyKind::Rigid(_) => None,
-        }
-    }
-
-    /// Condenses `elastic`, this body or one with its geometry, to the contact points.
-    ///
-    /// # Errors
-    /// As [`ElasticBody::condense`].
-    pub fn condense(&self, elastic: &Arc<ElasticBody>) -> Result<CondensedBody, BodyError> {
-        if self.ends.is_empty() {
-            elastic.condense(&self.interface)
-        } else {
-            elastic.condense_edges(&self.interface, &self.ends)
-        }
-    }
-}
-
-/// An elastic or a rigid body.
-#[derive(Clone, Debug)]
-pub enum ModelBodyKind {
-    /// To be condensed.
-    Elastic(Arc<ElasticBody>),
-    /// Ready.
-    Rigid(RigidBody),
-}
-
-/// An edge to report, with what its stresses need.
-#[derive(Clone, Debug)]
-pub struct ModelEdge {
-    /// What does not change from step to step.
-    pub geometry: EdgeGeometry,
-    /// Mesh nodes along the edge, by ascending parameter.
-    pub nodes: Vec<usize>,
-    /// Position of each node among the body's contact points; empty for an edge without contact.
-    pub local: Vec<usize>,
-    /// Contact area of each node `[mm²]`.
-    pub areas: Vec<f64>,
-    /// Polynomial order of the edge.
-    pub order: usize,
-    /// Arc length per node along e_t, the normal turned by +90° `[mm]`.
-    pub along: Vec<f64>,
-    /// Unit normal per node: e_r on a circle, otherwise that of the edge with a part along +y.
-    pub normals: Vec<[f64; 2]>,
-    /// Tractions (σ_nn, τ_nt) per node of a unit reaction there along x and along y `[1/mm²]`; empty where nothing holds it.
-    pub reactions: Vec<[[f64; 2]; 2]>,
-    /// Index of the contact pair.
-    pub pair: Option<usize>,
-    /// Up to where from the bearing point θ = 0 or x = 0 the mesh along it is fine `[rad or mm]`; `None` for all of it.
-    pub fine_to: Option<f64>,
-    /// What lies at its first and its last node, if it touches another open edge.
-    pub ends: [EdgeEnd; 2],
-    /// Tractions of the loads on it: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
-    pub tractions: Vec<(usize, Vec<[f64; 2]>)>,
-}
-
-impl ModelEdge {
-    /// Whether a corner of one of the bodies presses on the other by the `rows` of its nodes, at the first end and at the last: within a cell of it, where the other body's edge
-    /// ends.
-    pub fn corners_that_press(&self, rows: &[EdgeRow]) -> [bool; 2] {
-        let touches = |row: &EdgeRow| row.status.touches();
-        let first = rows.iter().take(self.order + 1).any(touches);
-        let last = rows.iter().rev().take(self.order + 1).any(touches);
-        let is_corner = self.ends.map(|end| end == EdgeEnd::Corner);
-        [is_corner[0] && first, is_corner[1] && last]
-    }
-
-    /// Whether it belongs to the body with the index `body` and something holds it.
-    pub fn is_held_on(&self, body: usize) -> bool {
-        self.geometry.body == body && !self.reactions.is_empty()
-    }
-}
-
-/// What lies at an end of a contact.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum EdgeEnd {
-    /// Nothing that a reader must know: both bodies end there, or the edge is closed.
-    #[default]
-    Free,
-    /// A body ends there in a corner, and the other goes on.
-    Corner,
-    /// Both bodies go on, and their edges cease to face each other.
-    GoesOn,
-}
 
 /// What is known of a contact beside its points.
 #[derive(Clone, Copy, Debug)]
@@ -549,9 +304,6 @@ fn kinematics(plan: &Plan<'_>) -> Choice {
         reason: reason.into(),
     }
 }
-
-/// Each elastic body's mesh by the index of the body.
-type Meshes = BTreeMap<usize, Arc<Mesh>>;
 
 fn materials(scene: &Scene) -> Result<BTreeMap<String, Arc<dyn Material>>, ModelError> {
     scene

@@ -5,12 +5,14 @@ mod partners;
 
 pub(super) use angles::on_circles;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use stickslip_fem_core::generate::{Extent, GenerateError};
+use stickslip_fem_core::mesh::Mesh;
 
+use super::ModelError;
 use super::plan::{BodyPlan, Plan};
-use super::{Meshes, ModelError};
 use crate::results::Choice;
 use stickslip_scene::limits::Limits;
 use stickslip_scene::schema::{Division, MeshSettings};
@@ -25,7 +27,10 @@ pub const BYTES_PER_NODE: f64 = 2.0 * 8.0 * 8.0 * 24.0;
 /// Most radial layers of a body by series, whose mesh only shows fields, where cells can be so much deeper than wide.
 const SHOWN_LAYERS: usize = 24;
 
-/// Each elastic body's mesh by the index of the body; none of them has more nodes, nor all together, than `limits` allow.
+/// Each elastic body's mesh by the index of the body.
+pub(super) type Meshes = BTreeMap<usize, Arc<Mesh>>;
+
+/// Each elastic body's mesh; none of them has more nodes, nor all together, than `limits` allow.
 pub(super) fn build(
     plan: &Plan<'_>,
     limits: Limits,

@@ -1,0 +1,61 @@
+//! Edges of a model.
+
+use crate::results::{EdgeGeometry, EdgeRow};
+
+/// An edge to report, with what its stresses need.
+#[derive(Clone, Debug)]
+pub struct ModelEdge {
+    /// What does not change from step to step.
+    pub geometry: EdgeGeometry,
+    /// Mesh nodes along the edge, by ascending parameter.
+    pub nodes: Vec<usize>,
+    /// Position of each node among the body's contact points; empty for an edge without contact.
+    pub local: Vec<usize>,
+    /// Contact area of each node `[mm²]`.
+    pub areas: Vec<f64>,
+    /// Polynomial order of the edge.
+    pub order: usize,
+    /// Arc length per node along e_t, the normal turned by +90° `[mm]`.
+    pub along: Vec<f64>,
+    /// Unit normal per node: e_r on a circle, otherwise that of the edge with a part along +y.
+    pub normals: Vec<[f64; 2]>,
+    /// Tractions (σ_nn, τ_nt) per node of a unit reaction there along x and along y `[1/mm²]`; empty where nothing holds it.
+    pub reactions: Vec<[[f64; 2]; 2]>,
+    /// Index of the contact pair.
+    pub pair: Option<usize>,
+    /// Up to where from the bearing point θ = 0 or x = 0 the mesh along it is fine `[rad or mm]`; `None` for all of it.
+    pub fine_to: Option<f64>,
+    /// What lies at its first and its last node, if it touches another open edge.
+    pub ends: [EdgeEnd; 2],
+    /// Tractions of the loads on it: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
+    pub tractions: Vec<(usize, Vec<[f64; 2]>)>,
+}
+
+impl ModelEdge {
+    /// Whether a corner of one of the bodies presses on the other by the `rows` of its nodes, at the first end and at the last: within a cell of it, where the other body's edge
+    /// ends.
+    pub fn corners_that_press(&self, rows: &[EdgeRow]) -> [bool; 2] {
+        let touches = |row: &EdgeRow| row.status.touches();
+        let first = rows.iter().take(self.order + 1).any(touches);
+        let last = rows.iter().rev().take(self.order + 1).any(touches);
+        let is_corner = self.ends.map(|end| end == EdgeEnd::Corner);
+        [is_corner[0] && first, is_corner[1] && last]
+    }
+
+    /// Whether it belongs to the body with the index `body` and something holds it.
+    pub fn is_held_on(&self, body: usize) -> bool {
+        self.geometry.body == body && !self.reactions.is_empty()
+    }
+}
+
+/// What lies at an end of a contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum EdgeEnd {
+    /// Nothing that a reader must know: both bodies end there, or the edge is closed.
+    #[default]
+    Free,
+    /// A body ends there in a corner, and the other goes on.
+    Corner,
+    /// Both bodies go on, and their edges cease to face each other.
+    GoesOn,
+}
