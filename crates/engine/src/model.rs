@@ -5,6 +5,7 @@ mod body;
 mod compliance;
 mod contacts;
 mod edge;
+mod edge_loads;
 mod error;
 mod extent;
 mod fasteners;

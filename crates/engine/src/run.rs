@@ -15,8 +15,10 @@ mod remarks;
 mod reported;
 pub mod seats;
 mod sets;
+mod shown;
 mod solved;
 mod stresses;
+mod summary;
 mod thinned;
 
 use stickslip_contact::history::Otherwise;
@@ -166,7 +168,7 @@ pub fn edge_results(
 /// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
 pub fn displacements_of(model: &Model, solved: &Solved, index: usize) -> Vec<Vec<f64>> {
     let recovered = fields::recover_some(model, solved, &[index]);
-    let own = |step: &fields::Recovered| fields::moved(model, &solved.operators, step, index);
+    let own = |step: &fields::Recovered| shown::moved(model, &solved.operators, step, index);
     recovered.iter().map(own).collect()
 }
 
@@ -217,7 +219,7 @@ fn reported(
     for index in with_fields {
         fields::complete(model, &solved, &mut recovered[index], index);
         results.steps[index].fields =
-            fields::with_stresses(model, &solved, &recovered[index], index)?;
+            shown::with_stresses(model, &solved, &recovered[index], index)?;
     }
     stresses::put(model, &recovered, &mut results.steps)?;
     solved

@@ -97,6 +97,20 @@ impl SeriesBody {
         self.field(&state).ok()
     }
 
+    /// Stresses (xx, yy, xy) `[MPa]` at `places` in the step of `record` under the contact forces `forces`; zero where they have no bound, at the centre of a loaded disk.
+    pub(crate) fn stresses(
+        &self,
+        record: &StepRecord,
+        forces: &[f64],
+        places: &[Point],
+    ) -> Vec<[f64; 3]> {
+        let Some(field) = self.strained(record, forces) else {
+            return Vec::new();
+        };
+        let at = |&place: &Point| stress_at(&field, self, place);
+        places.iter().map(at).collect()
+    }
+
     /// Stresses normal to its contact edge, along it and shear at `places`, angles `[rad]` or x `[mm]`, under each of `states`, by state and place.
     ///
     /// # Errors

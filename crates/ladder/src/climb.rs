@@ -2,19 +2,19 @@
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{Accuracy, Budget, FieldOutput, KinematicsChoice};
+use stickslip_scene::schema::{Accuracy, Budget, KinematicsChoice};
 
 use crate::along::Along;
 use crate::geometry::Geometry;
 use crate::grading::Grading;
-use crate::models::{Division, Level, Models};
-use crate::numbers::{Numbers, Table, balanced_friction, difference, sum};
-use crate::{division, failure, path, unseen};
+use crate::level::Level;
+use crate::models::{Division, Models};
+use crate::numbers::{Numbers, Table, difference, sum};
+use crate::worst::{Worst, worst, worst_of_step};
+use crate::{division, failure, path, stated, unseen};
 use stickslip_engine::model::obstacle_to_half;
-use stickslip_engine::results::{
-    BodyFailure, EdgeResults, Finding, Ladder, LadderEnd, Results, Rung, Stated,
-};
-use stickslip_engine::run::{Progress, RunError, results, results_without_audit, run_with};
+use stickslip_engine::results::{Finding, Ladder, LadderEnd, Results, Rung, Stated};
+use stickslip_engine::run::{Progress, RunError, results, run_with};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -22,8 +22,6 @@ const FEWEST: usize = 2;
 const LEAST: usize = 8;
 /// Most increments of a load step that are tried.
 const INCREMENTS: usize = 64;
-/// Numbers below this part of the largest of their history are measured by it.
-const SMALL: f64 = 1e-3;
 /// The increments may take this part of what is asked.
 const PATH_SHARE: f64 = 0.5;
 /// The undeformed geometry may take this part of what is asked.
@@ -278,7 +276,7 @@ impl Climb<'_> {
 
     fn record(&mut self, level: &Level, error: Option<(f64, Stated)>) {
         self.rungs.push(Rung {
-            model: level.describe(),
+            model: level.division.clone(),
             increments: level.substeps.clone(),
             error,
             seconds: level.seconds,
@@ -291,7 +289,7 @@ impl Climb<'_> {
         let worst = worst(&last.numbers, errors, self.bounds());
         let error = worst.map(Worst::named);
         let is_known =
-            |rung: &Rung| (&rung.model, &rung.increments) == (&last.describe(), &last.substeps);
+            |rung: &Rung| (&rung.model, &rung.increments) == (&last.division, &last.substeps);
         match self.rungs.iter_mut().rev().find(|rung| is_known(rung)) {
             Some(rung) => rung.error = error,
             None => self.record(last, error),
@@ -345,36 +343,18 @@ impl Climb<'_> {
         found.findings.extend(missed);
         if last.model.request.failure.is_some() {
             let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));
-            let before = self.failure_before(levels);
+            let before = failure::before(levels, self.models.solver());
             let is_whole = !last.model.half && obstacle_to_half(self.scene).is_none();
-            for (index, own) in found.failure.iter_mut().enumerate() {
-                let before: Vec<_> = before.iter().filter_map(|all| all.get(index)).collect();
-                let known = failure::Known {
-                    parts: &parts,
-                    mirror: is_whole.then(|| last.model.across(own.body)).flatten(),
-                };
-                failure::estimate(own, &before, known);
-            }
+            let mirror = |body| is_whole.then(|| last.model.across(body)).flatten();
+            failure::estimate_all(&mut found.failure, &before, &parts, mirror);
         }
-        for ((step, fitted), errors) in found.steps.iter_mut().zip(last.numbers.steps).zip(errors) {
-            let fitted = fitted.into_iter().zip(&found.edges);
-            for ((edge, (mut fitted, geometry)), errors) in
-                step.edges.iter_mut().zip(fitted).zip(errors)
-            {
-                fitted.place(geometry, last.model.origin);
-                let rows = std::mem::take(&mut edge.rows);
-                *edge = EdgeResults {
-                    rows,
-                    errors,
-                    ..fitted
-                };
-            }
-        }
-        for (step, along) in found.steps.iter_mut().zip(along) {
-            for (edge, along) in step.edges.iter_mut().zip(along) {
-                edge.row_errors = along;
-            }
-        }
+        stated::put(
+            &mut found,
+            last.numbers.steps,
+            errors,
+            along,
+            last.model.origin,
+        );
         geometry.explain(&mut found);
         found.ladder = Some(Ladder {
             asked: self.asked,
@@ -394,100 +374,13 @@ impl Climb<'_> {
             end: end.name(),
         })
     }
-
-    /// What the last two of `levels` say of the failure of bodies, the finer first; of joints that are followed to their end nothing.
-    fn failure_before(&self, levels: Vec<Level>) -> Vec<Vec<BodyFailure>> {
-        let failure = |mut level: Level| {
-            level.model.request.fields = FieldOutput::None;
-            let failure = level.model.request.failure.as_mut()?;
-            failure.settings.envelopes = None;
-            let followed = failure.bodies.iter().any(|body| body.progressive.is_some());
-            let bodies: Vec<usize> = failure.bodies.iter().map(|body| body.body).collect();
-            let solver = self.models.solver();
-            let found = (!followed)
-                .then(|| results_without_audit(&level.model, solver, level.solved, &bodies));
-            Some(found?.ok()?.failure)
-        };
-        levels
-            .into_iter()
-            .rev()
-            .take(2)
-            .map_while(failure)
-            .collect()
-    }
 }
 
 fn numbers(levels: &[Level]) -> Vec<&Numbers> {
     levels.iter().map(|level| &level.numbers).collect()
 }
 
-/// A relative error beside its bound.
-#[derive(Clone, Copy)]
-struct Worst {
-    error: f64,
-    stated: Stated,
-    /// The error over its bound.
-    part: f64,
-}
-
-impl Worst {
-    fn named(self) -> (f64, Stated) {
-        (self.error, self.stated)
-    }
-}
-
 /// `count` times the increments of each step.
 fn times(count: usize, substeps: &[usize]) -> Vec<usize> {
     substeps.iter().map(|own| count * own).collect()
-}
-
-/// The relative error that is largest beside its bound of `accuracy`; of contacts, or where there are none of all edges.
-fn worst(level: &Numbers, errors: &Table, accuracy: Accuracy) -> Option<Worst> {
-    let steps = 0..level.steps.len();
-    let all = steps.filter_map(|step| worst_of_step(level, errors, accuracy, step));
-    all.max_by(|one, other| one.part.total_cmp(&other.part))
-}
-
-/// The same of the load step `step`. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, friction and stick by
-/// the largest of their history, and friction by no less than what may balance itself.
-fn worst_of_step(
-    level: &Numbers,
-    errors: &Table,
-    accuracy: Accuracy,
-    step: usize,
-) -> Option<Worst> {
-    let touches = level.geometries.iter().any(|geometry| geometry.contact);
-    let edges = level.geometries.iter().enumerate();
-    let edges = edges.filter(|(_, geometry)| geometry.contact || !touches);
-    let numbers = edges.flat_map(|(edge, _)| Stated::ALL.map(|stated| (edge, stated)));
-    let part = |(edge, stated): (usize, Stated)| {
-        let bound = stated.bound(accuracy)?;
-        let error = errors.get(step)?.get(edge)?.get(stated)?;
-        let size = |results: &EdgeResults| stated.value(results).map_or(0.0, f64::abs);
-        let history = level.steps.iter().map(|step| size(&step[edge]));
-        let largest = history.fold(0.0, f64::max);
-        let own = &level.steps[step][edge];
-        let scale = match stated {
-            Stated::FrictionForce => {
-                let held = level
-                    .steps
-                    .iter()
-                    .map(|step| balanced_friction(&step[edge]));
-                held.fold(largest, f64::max)
-            }
-            Stated::StickExtent => largest,
-            Stated::PeakHoop | Stated::HoopAtBearing => {
-                let pressure = Stated::PeakPressure.value(own).unwrap_or(0.0);
-                size(own).max(SMALL * largest).max(pressure)
-            }
-            _ => size(own).max(SMALL * largest),
-        };
-        (scale > 0.0).then(|| Worst {
-            error: error / scale,
-            stated,
-            part: error / scale / bound,
-        })
-    };
-    let parts = numbers.filter_map(part);
-    parts.max_by(|one, other| one.part.total_cmp(&other.part))
 }

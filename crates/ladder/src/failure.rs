@@ -4,6 +4,11 @@
 //! geometry leave the peak stress and pressure of the step. Where a whole body is its own mirror image, so are its weakest places, of which models take either: places are compared up to
 //! that.
 
+use stickslip_contact::InterfaceSolver;
+use stickslip_engine::run::results_without_audit;
+use stickslip_scene::schema::FieldOutput;
+
+use super::level::Level;
 use super::numbers::{Numbers, Table};
 use stickslip_engine::results::{
     BodyFailure, Errors, FailurePoint, FirstPly, JointFailure, PointErrors, Stated,
@@ -16,18 +21,52 @@ const RATE: f64 = 0.5;
 
 /// What an error is found by.
 #[derive(Clone, Copy)]
-pub(super) struct Known<'a> {
+struct Known<'a> {
     /// Those of [`parts`].
-    pub(super) parts: &'a [f64],
+    parts: &'a [f64],
     /// The coordinate by whose sign a whole body and its mirror image differ; `None` where it is not its own.
-    pub(super) mirror: Option<usize>,
+    mirror: Option<usize>,
 }
 
-/// Puts errors into `own`, the failure of a body of the finest model, by that of the coarser ones `before`, the next finest first.
-pub(super) fn estimate(own: &mut BodyFailure, before: &[&BodyFailure], known: Known<'_>) {
+/// Puts errors into `found`, the failure of bodies of the finest model, by that of the coarser ones `before`, the next finest first. `parts` are those of [`parts`], and `mirror` is the
+/// coordinate by whose sign a whole body and its mirror image differ; `None` where it is not its own.
+pub(super) fn estimate_all(
+    found: &mut [BodyFailure],
+    before: &[Vec<BodyFailure>],
+    parts: &[f64],
+    mirror: impl Fn(usize) -> Option<usize>,
+) {
+    for (index, own) in found.iter_mut().enumerate() {
+        let before: Vec<_> = before.iter().filter_map(|all| all.get(index)).collect();
+        let mirror = mirror(own.body);
+        estimate(own, &before, Known { parts, mirror });
+    }
+}
+
+fn estimate(own: &mut BodyFailure, before: &[&BodyFailure], known: Known<'_>) {
     if !before.is_empty() {
         of_body(own, before, known);
     }
+}
+
+/// What the last two of `levels` say of the failure of bodies, the finer first; of joints that are followed to their end nothing.
+pub(super) fn before(levels: Vec<Level>, solver: &dyn InterfaceSolver) -> Vec<Vec<BodyFailure>> {
+    let failure = |mut level: Level| {
+        level.model.request.fields = FieldOutput::None;
+        let failure = level.model.request.failure.as_mut()?;
+        failure.settings.envelopes = None;
+        let followed = failure.bodies.iter().any(|body| body.progressive.is_some());
+        let bodies: Vec<usize> = failure.bodies.iter().map(|body| body.body).collect();
+        let found =
+            (!followed).then(|| results_without_audit(&level.model, solver, level.solved, &bodies));
+        Some(found?.ok()?.failure)
+    };
+    levels
+        .into_iter()
+        .rev()
+        .take(2)
+        .map_while(failure)
+        .collect()
 }
 
 /// By which part of itself a stress of each step is off at most, because of the errors `left` of the load path and of the geometry.

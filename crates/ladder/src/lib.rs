@@ -26,13 +26,16 @@ mod division;
 mod failure;
 mod geometry;
 mod grading;
+mod level;
 mod limits;
 mod models;
 mod numbers;
 mod path;
 mod peaks;
+mod stated;
 mod thinning;
 mod unseen;
+mod worst;
 
 use stickslip_engine::results::Results;
 use stickslip_engine::run::{Progress, RunError, run_with, solver};

@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
 use stickslip_contact::InterfaceSolver;
-use stickslip_friction::History;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{
     Body, Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp,
@@ -12,14 +11,10 @@ use stickslip_scene::schema::{
 
 use super::division::Spaced;
 use super::grading::{Domain, Grading};
-use super::limits::Missing;
-use super::numbers::Numbers;
-use super::{peaks, thinning};
+use super::level::{Level, described, numbers};
+use super::thinning;
 use stickslip_engine::model::{Model, Seat};
-use stickslip_engine::results::{EdgeGeometry, EdgeResults};
-use stickslip_engine::run::{
-    Assembled, Progress, RunError, Solved, edge_results, follow, follow_thinned, seats,
-};
+use stickslip_engine::run::{Assembled, Progress, RunError, follow, follow_thinned, seats};
 
 /// Nodes on half of a contact circle less one, of the coarsest model by series.
 const INTERVALS: usize = 30;
@@ -39,20 +34,6 @@ pub(super) enum Division {
     Elements,
     /// The division of the scene, after one of cells or nodes twice as far apart.
     Pinned,
-}
-
-/// A model that was solved.
-pub(super) struct Level {
-    pub(super) rung: usize,
-    /// Increments of each load step.
-    pub(super) substeps: Vec<usize>,
-    pub(super) model: Model,
-    pub(super) solved: Solved,
-    pub(super) numbers: Numbers,
-    pub(super) seconds: f64,
-    /// What it would have taken if nothing had been ready for it `[s]`.
-    pub(super) seconds_anew: f64,
-    division: String,
 }
 
 /// Graded contact nodes, by angles or by places along a line contact.
@@ -80,34 +61,6 @@ struct Made {
     model: Model,
     assembled: Assembled,
     seconds: f64,
-}
-
-impl Level {
-    /// How it is divided, for a reader.
-    pub(super) fn describe(&self) -> String {
-        self.division.clone()
-    }
-
-    /// What a virgin point in the middle of a contact edge holds under `pressure`, as a part of it.
-    pub(super) fn friction(&self, edge: usize, pressure: f64) -> f64 {
-        let contacts = self.solved.interface.contacts();
-        let Some(pair) = self.model.edges[edge].pair.filter(|_| pressure > 0.0) else {
-            return 0.0;
-        };
-        let points = contacts.pair_points(pair);
-        let middle = points.start + points.len() / 2;
-        let place = &contacts.points()[middle].place;
-        let bound = contacts
-            .law(middle)
-            .bound(pressure, 0.0, place, &History::default());
-        bound.stick / pressure
-    }
-
-    /// Whether friction acts anywhere in its history.
-    pub(super) fn rubs(&self) -> bool {
-        let mut edges = self.numbers.steps.iter().flatten();
-        edges.any(|edge| edge.rows.iter().any(|row| row.shear != 0.0))
-    }
 }
 
 /// Makes the models.
@@ -274,24 +227,14 @@ impl<'a> Models<'a> {
             )?,
         };
         solved.phases.insert(0, ("operators", ready - start));
-        let (geometries, mut steps) = edge_results(&model, &solved)?;
-        let rows = thinning::rows(&solved, &model, &steps);
-        let own = thinning::own_rows(&geometries, &rows, &mut steps);
-        let fitted = peaks::between_nodes(&model, &solved, &geometries, (&own, &rows), &mut steps);
+        let numbers = numbers(&model, &solved)?;
         let end = host.seconds();
         Ok(Level {
             rung,
             substeps: substeps.to_vec(),
             seconds: end - start,
             seconds_anew: end - ready + making,
-            numbers: Numbers {
-                missing: missing(&model, &solved, &own, &steps),
-                spacings: geometries.iter().map(spacing).collect(),
-                fitted,
-                geometries,
-                own,
-                steps,
-            },
+            numbers,
             division: described(division, &solved),
             model,
             solved,
@@ -357,6 +300,13 @@ impl<'a> Models<'a> {
             scene.analysis.ramp = Some(Ramp::Quadratic);
         }
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
+        self.divide(&mut scene, rung, graded);
+        let division = self.described(&scene, graded);
+        (scene, division)
+    }
+
+    /// Divides `scene` as `rung` is.
+    fn divide(&self, scene: &mut Scene, rung: usize, graded: Option<&Graded>) {
         match self.division {
             Division::Series => match graded {
                 Some(Graded { angles, .. }) if self.of_lines => {
@@ -369,17 +319,21 @@ impl<'a> Models<'a> {
                 None => scene.analysis.contact_nodes = Some((INTERVALS << rung) + 1),
             },
             Division::Elements => {
-                (0..rung).for_each(|_| each_mesh(&mut scene, MeshSettings::finer));
+                (0..rung).for_each(|_| each_mesh(scene, MeshSettings::finer));
             }
             Division::Pinned => {
                 for _ in rung..1 {
                     match &mut scene.analysis.contact_nodes {
                         Some(count) => *count = (*count - 1).div_ceil(2) + 1,
-                        None => each_mesh(&mut scene, MeshSettings::coarser),
+                        None => each_mesh(scene, MeshSettings::coarser),
                     }
                 }
             }
         }
+    }
+
+    /// How the divided `scene` is divided, for a reader.
+    fn described(&self, scene: &Scene, graded: Option<&Graded>) -> String {
         let mut division = match (graded, scene.analysis.contact_nodes) {
             (Some(graded), _) => {
                 let (kind, count) = (self.kind(), graded.angles.len());
@@ -389,7 +343,7 @@ impl<'a> Models<'a> {
                 format!("{}, {}", self.kind(), scene.mesh.division)
             }
             (None, Some(count)) => format!("series, {count} nodes on half a circle"),
-            (None, None) => format!("{} cells, {}", cells(&scene), scene.mesh.division),
+            (None, None) => format!("{} cells, {}", cells(scene), scene.mesh.division),
         };
         if let Some(own) = &scene.mesh_by_lengths {
             division = format!("{division} and {}", own.division);
@@ -397,7 +351,7 @@ impl<'a> Models<'a> {
         if self.kinematics == KinematicsChoice::DeformedGaps {
             division += ", deformed gaps";
         }
-        (scene, division)
+        division
     }
 }
 
@@ -411,46 +365,10 @@ fn cells(scene: &Scene) -> String {
     names.into_iter().collect::<Vec<_>>().join(" and ")
 }
 
-/// A division where each load step has nodes of its own.
-fn described(division: String, solved: &Solved) -> String {
-    let own = solved.own.as_ref();
-    let steps = own.map(|own| own.thinned.iter().map(|step| step.chosen(0).len()));
-    match steps.and_then(Iterator::max) {
-        Some(most) => format!("{division}, up to {most} in a step"),
-        None => division,
-    }
-}
-
-/// Numbers without a limit, per step and edge; `own` are the edges with the nodes of each step.
-fn missing(
-    model: &Model,
-    solved: &Solved,
-    own: &[Vec<EdgeGeometry>],
-    steps: &[Vec<EdgeResults>],
-) -> Vec<Vec<Missing>> {
-    let contacts = solved.interface.contacts();
-    let steps = solved.records.iter().zip(own).zip(steps);
-    let edges = steps.map(|((record, own), step)| {
-        let edges = own.iter().zip(step).enumerate();
-        edges
-            .map(|(edge, (geometry, results))| {
-                Missing::of(model, contacts, record, (edge, geometry, results))
-            })
-            .collect()
-    });
-    edges.collect()
-}
-
 fn each_mesh(scene: &mut Scene, change: fn(&MeshSettings) -> MeshSettings) {
     scene.mesh = change(&scene.mesh);
     scene.mesh_by_lengths = scene.mesh_by_lengths.as_ref().map(change);
     for body in scene.bodies.values_mut() {
         body.mesh = body.mesh.as_ref().map(change);
     }
-}
-
-/// Largest spacing of nodes along an edge.
-fn spacing(geometry: &EdgeGeometry) -> f64 {
-    let gaps = geometry.parameter.windows(2).map(|pair| pair[1] - pair[0]);
-    gaps.fold(0.0, f64::max)
 }

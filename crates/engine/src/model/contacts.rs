@@ -17,7 +17,7 @@ use self::edge::{EdgeNodes, edge_nodes, reported_nodes};
 use self::geometry::Geometry;
 use self::projection::{Side, Tied};
 use super::plan::{ContactPlan, Placed, Plan};
-use super::{Meshes, ModelEdge, ModelError, loads};
+use super::{Meshes, ModelEdge, ModelError, edge_loads, loads};
 use crate::results::{Choice, SecondSide};
 use crate::series::SeriesBody;
 use stickslip_scene::schema::{Contact, DisplayUnits, SetRef};
@@ -214,8 +214,8 @@ fn shared(known: &[usize], nodes: &[usize]) -> usize {
 
 /// `edge` with what else than contact acts on it.
 fn loaded(plan: &Plan<'_>, on: &Placed<'_, SetRef>, mut edge: ModelEdge) -> ModelEdge {
-    edge.tractions = loads::edge_tractions(plan, on, &edge);
-    edge.reactions = loads::edge_reactions(plan, on, &edge);
+    edge.tractions = edge_loads::edge_tractions(plan, on, &edge);
+    edge.reactions = edge_loads::edge_reactions(plan, on, &edge);
     edge
 }
 

@@ -2,16 +2,14 @@
 
 use stickslip_contact::StepRecord;
 use stickslip_fem_core::body::{BodyBalance, BodyLoad};
-use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::Point;
-use stickslip_fem_core::stress::{ElasticField, StressError};
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
 use super::sets;
 use super::solved::{Operator, Solved};
 use crate::model::Model;
-use crate::results::{BodyFields, SetMotion};
-use crate::series::{SeriesBody, stress_at};
+use crate::results::SetMotion;
+use crate::series::SeriesBody;
 
 /// Displacements of one body, in numbers, that are held at once while its balance is audited.
 const HELD: usize = 1 << 21;
@@ -33,7 +31,7 @@ pub(super) struct Recovered {
     /// Tractions (σ_nn, τ_nt) of the reactions at the nodes of each of the model's edges that is held; empty for others.
     pub(super) reactions: Vec<Vec<[f64; 2]>>,
     /// Amounts of each body's free rigid motions.
-    motions: Vec<Vec<f64>>,
+    pub(super) motions: Vec<Vec<f64>>,
     /// Balance per body; `None` for a rigid one.
     pub(super) balance: Vec<Option<BodyBalance>>,
     /// Force and displacement of the model's sets; `None` of bodies that are not recovered for an audit.
@@ -227,7 +225,7 @@ fn recover_series(
         if model.is_asked_for_stresses(index)
             && let Some(own) = model.bodies[index].elastic()
         {
-            step.stress[index] = stresses(body, record, &forces, own.mesh().nodes());
+            step.stress[index] = body.stresses(record, &forces, own.mesh().nodes());
         }
     }
 }
@@ -291,91 +289,6 @@ fn loads_on<'a>(records: &'a [StepRecord], forces: &'a [Vec<f64>]) -> Vec<BodyLo
         motions: &[],
     };
     records.iter().zip(forces).map(of_step).collect()
-}
-
-/// Displacements of the elastic body `index` with its rigid motions, interleaved; empty where they were not recovered.
-pub(super) fn moved(
-    model: &Model,
-    operators: &[Operator],
-    recovered: &Recovered,
-    index: usize,
-) -> Vec<f64> {
-    let mut displacement = recovered.displacement[index].clone();
-    let motions = &recovered.motions[index];
-    let rigid = match (&operators[index], model.bodies[index].elastic()) {
-        (Operator::Elastic(body), _) => body.rigid_displacements(motions),
-        (Operator::Series(body), Some(own)) => {
-            body.rigid_displacements(motions, own.mesh().nodes())
-        }
-        _ => Vec::new(),
-    };
-    let both = displacement.iter_mut().zip(rigid);
-    both.for_each(|(sum, part)| *sum += part);
-    displacement
-}
-
-/// Stresses (xx, yy, xy) `[MPa]` of a body by series at `places`; zero where they have no bound, at the centre of a loaded disk.
-fn stresses(
-    body: &SeriesBody,
-    record: &StepRecord,
-    forces: &[f64],
-    places: &[Point],
-) -> Vec<[f64; 3]> {
-    let Some(field) = body.strained(record, forces) else {
-        return Vec::new();
-    };
-    let at = |&place: &Point| stress_at(&field, body, place);
-    places.iter().map(at).collect()
-}
-
-/// Fields of all bodies that were recovered, with stresses by patch recovery.
-pub(super) fn with_stresses(
-    model: &Model,
-    solved: &Solved,
-    recovered: &Recovered,
-    step: usize,
-) -> Result<Vec<BodyFields>, StressError> {
-    let operators = &solved.operators;
-    let mut fields = Vec::new();
-    for (index, body) in model.bodies.iter().enumerate() {
-        let (crate::model::ModelBodyKind::Elastic(elastic), false) =
-            (&body.kind, recovered.displacement[index].is_empty())
-        else {
-            continue;
-        };
-        let materials: Vec<&dyn Material> = elastic.materials().iter().map(AsRef::as_ref).collect();
-        if let Some(series) = operators[index].series() {
-            let forces = solved.forces_on_body(&solved.records[step], index);
-            let stress = stresses(
-                series,
-                &solved.records[step],
-                &forces,
-                elastic.mesh().nodes(),
-            );
-            let across = |own: &[f64; 3]| materials[0].thickness_stress(*own, 0.0);
-            fields.push(BodyFields {
-                body: index,
-                thickness_stress: stress.iter().map(across).collect(),
-                stress,
-                displacement: moved(model, operators, recovered, index),
-            });
-            continue;
-        }
-        let strain = elastic.initial_strain(&recovered.multipliers);
-        let initial = (!strain.is_empty()).then_some(strain.as_slice());
-        let strained = &recovered.displacement[index];
-        let nodal =
-            ElasticField::new(elastic.mesh(), &materials, strained, initial)?.patch_recovery();
-        let heating = model.request.loads.heating(index, &recovered.multipliers);
-        fields.push(BodyFields {
-            body: index,
-            stress: nodal.averaged(),
-            thickness_stress: nodal
-                .averaged_of(|block, stress| materials[block].thickness_stress(stress, heating)),
-            displacement: moved(model, operators, recovered, index),
-        });
-    }
-    Ok(fields)
 }
 
 #[cfg(test)]

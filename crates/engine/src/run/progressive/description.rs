@@ -1,6 +1,6 @@
 //! How a joint was followed, as text.
 
-use super::Subject;
+use super::subject::Subject;
 use crate::model::Request;
 use stickslip_scene::schema::Control;
 

@@ -3,7 +3,7 @@
 use stickslip_fem_core::QuadraturePoints;
 use stickslip_joint::JointRecord;
 
-use super::{Subject, crack_band};
+use super::subject::{Subject, crack_band};
 use crate::model::Model;
 use crate::results::{JointFinding, Quantity};
 use crate::run::doubts::unverified;
