@@ -28,8 +28,8 @@ use super::open::stem;
 use super::overrides::mistyped;
 use super::scene::Scene;
 use super::schema::{
-    Analysis, Body, Contact, Failure, KinematicsChoice, Load, Material, Platen, SetRef,
-    SpringSupport, Support,
+    Analysis, Body, Contact, Failure, Fastener, KinematicsChoice, Load, Material, MeshSettings,
+    Platen, SetRef, SpringSupport, Support,
 };
 use super::shape::ShapeFormat;
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
@@ -42,6 +42,23 @@ const LONGEST_NAME: usize = 64;
 enum Fits {
     Edges,
     EdgesAndPoints,
+}
+
+/// What the tables of a scene say.
+struct Parts {
+    analysis: Analysis,
+    materials: BTreeMap<String, Material>,
+    is_divided: bool,
+    mesh: MeshSettings,
+    mesh_by_lengths: Option<MeshSettings>,
+    contacts: Vec<Contact>,
+    fasteners: Vec<Fastener>,
+    supports: Vec<Support>,
+    springs: Vec<SpringSupport>,
+    platens: Vec<Platen>,
+    loads: Vec<Load>,
+    edges: Vec<SetRef>,
+    failure: Option<Failure>,
 }
 
 /// Checks the scene. On the way the laws in `format` get their defaults.
@@ -62,47 +79,19 @@ pub(super) fn build(
         analysis.substeps = Some(analysis.substeps());
         analysis.ramp = Some(analysis.ramp());
     }
-    let analysis = builder.analysis(&format);
-    let plies = builder.plies(&format);
-    let materials = builder.materials(&format, &plies, analysis.plane);
-    builder.bodies(&format, &materials);
-    let is_divided = format.mesh.is_some();
-    let (mesh, mesh_by_lengths) = builder.mesh(&mut format);
-    builder.body_meshes(&format, &mesh);
-    builder.models(&format);
-    let contacts = builder.contacts(&mut format, &materials);
-    builder.stand_once(&contacts);
-    let (supports, springs) = builder.supports(&format);
-    let platens = builder.platens(&format, &contacts);
-    let beside = BesideSlices {
-        materials: &materials,
-        contacts: &contacts,
-        supports: &supports,
-        springs: &springs,
-        platens: &platens,
-    };
-    let fasteners = builder.fasteners(&format, &beside);
-    let loads = builder.loads(&format, &materials, base);
-    let (numbers, loads): (Vec<_>, Vec<_>) = loads.into_iter().unzip();
-    let edges = builder.edges(&format);
-    let surroundings = Surroundings {
-        contacts: &contacts,
-        supports: &supports,
-        springs: &springs,
-        platens: &platens,
-        loads: &loads,
-        numbers: &numbers,
-    };
-    let failure = builder.failure(&format, &materials, &surroundings);
-    builder.loads_act(&surroundings);
-    let held = (supports.iter().map(|own| &own.on))
-        .chain(springs.iter().map(|own| &own.on))
-        .chain(platens.iter().map(|own| &own.on));
-    builder.everything_is_held(&contacts, &fasteners, &held.collect::<Vec<_>>());
-    if !failure.as_ref().is_some_and(Failure::is_driven) {
-        builder.something_happens(&contacts, &supports, &loads);
-    }
+    let parts = builder.parts(&mut format);
     let bodies = builder.finished()?;
+    scene(document, &format, base, bodies, parts)
+}
+
+/// The scene of `bodies` and `parts`, which the other tables of `format` describe.
+fn scene(
+    document: Document,
+    format: &SceneFormat,
+    base: &Path,
+    bodies: BTreeMap<String, Body>,
+    parts: Parts,
+) -> Result<Scene, SceneError> {
     let source_name = document.source.name.clone();
     // The version has been checked, and the tables that are not named here have been built above.
     let SceneFormat {
@@ -123,30 +112,30 @@ pub(super) fn build(
         edges: _,
         failure: _,
         output,
-    } = &format;
+    } = format;
     Ok(Scene {
         title: title.clone().unwrap_or_else(|| stem(&source_name)),
         description: description.clone(),
         display: units.display(),
-        analysis,
-        materials,
-        hash: written::hash(&format, &bodies, &loads),
+        analysis: parts.analysis,
+        materials: parts.materials,
+        hash: written::hash(format, &bodies, &parts.loads),
         bodies,
-        mesh,
-        mesh_by_lengths,
-        is_divided,
-        contacts,
-        fasteners,
-        supports,
-        springs,
-        platens,
-        loads,
-        edges,
-        failure,
+        mesh: parts.mesh,
+        mesh_by_lengths: parts.mesh_by_lengths,
+        is_divided: parts.is_divided,
+        contacts: parts.contacts,
+        fasteners: parts.fasteners,
+        supports: parts.supports,
+        springs: parts.springs,
+        platens: parts.platens,
+        loads: parts.loads,
+        edges: parts.edges,
+        failure: parts.failure,
         output: *output,
         source_name,
         base_dir: base.to_owned(),
-        resolved: written::resolved(&document, &format)?,
+        resolved: written::resolved(&document, format)?,
         document,
     })
 }
@@ -200,6 +189,65 @@ impl Builder<'_> {
     fn finished(self) -> Result<BTreeMap<String, Body>, SceneError> {
         SceneError::of_all(self.findings)?;
         Ok(self.bodies)
+    }
+
+    /// What the tables of `format` say, each checked with those before it.
+    fn parts(&mut self, format: &mut SceneFormat) -> Parts {
+        let analysis = self.analysis(format);
+        let plies = self.plies(format);
+        let materials = self.materials(format, &plies, analysis.plane);
+        self.bodies(format, &materials);
+        let is_divided = format.mesh.is_some();
+        let (mesh, mesh_by_lengths) = self.mesh(format);
+        self.body_meshes(format, &mesh);
+        self.models(format);
+        let contacts = self.contacts(format, &materials);
+        self.stand_once(&contacts);
+        let (supports, springs) = self.supports(format);
+        let platens = self.platens(format, &contacts);
+        let beside = BesideSlices {
+            materials: &materials,
+            contacts: &contacts,
+            supports: &supports,
+            springs: &springs,
+            platens: &platens,
+        };
+        let fasteners = self.fasteners(format, &beside);
+        let loads = self.loads(format, &materials, self.base);
+        let (numbers, loads): (Vec<_>, Vec<_>) = loads.into_iter().unzip();
+        let edges = self.edges(format);
+        let surroundings = Surroundings {
+            contacts: &contacts,
+            supports: &supports,
+            springs: &springs,
+            platens: &platens,
+            loads: &loads,
+            numbers: &numbers,
+        };
+        let failure = self.failure(format, &materials, &surroundings);
+        self.loads_act(&surroundings);
+        let held = (supports.iter().map(|own| &own.on))
+            .chain(springs.iter().map(|own| &own.on))
+            .chain(platens.iter().map(|own| &own.on));
+        self.everything_is_held(&contacts, &fasteners, &held.collect::<Vec<_>>());
+        if !failure.as_ref().is_some_and(Failure::is_driven) {
+            self.something_happens(&contacts, &supports, &loads);
+        }
+        Parts {
+            analysis,
+            materials,
+            is_divided,
+            mesh,
+            mesh_by_lengths,
+            contacts,
+            fasteners,
+            supports,
+            springs,
+            platens,
+            loads,
+            edges,
+            failure,
+        }
     }
 
     fn report(&mut self, key: &str, part: Part, problem: SceneProblem) {

@@ -19,7 +19,6 @@ use self::projection::{Side, Tied};
 use super::plan::{ContactPlan, Placed, Plan};
 use super::{Meshes, ModelEdge, ModelError, edge_loads, loads};
 use crate::results::{Choice, SecondSide};
-use crate::series::SeriesBody;
 use stickslip_scene::schema::{Contact, DisplayUnits, SetRef};
 
 /// Pairs, edges, and each body's contact points.
@@ -88,20 +87,7 @@ impl Contacts {
             sides: [first, second],
             offset: _,
         } = planned;
-        if plan.is_rigid(first.body) {
-            let what = format!(
-                "the first body '{}' is rigid, which only the second may be: give it a material",
-                contact.first.body
-            );
-            return Err(refused(contact, what));
-        }
-        let geometry = Geometry::of(plan, planned).ok_or_else(|| {
-            let what = format!(
-                "{} and {} cannot touch; a hole takes a disk's rim or a ring's outer edge, a cylinder a block, an open edge another",
-                contact.first, contact.second
-            );
-            refused(contact, what)
-        })?;
+        let geometry = geometry(plan, planned)?;
         let is_rigid = plan.is_rigid(second.body);
         let (upper, lower) = match &geometry {
             Geometry::Open(pair) => pair.nodes(plan, planned, meshes, is_rigid, units.length)?,
@@ -111,19 +97,9 @@ impl Contacts {
             }
         };
         let bodies = [first.body, second.body];
-        let open = matches!(geometry, Geometry::Open(_));
-        let sides = [(first, Some(&upper)), (second, lower.as_ref())];
-        for (side, nodes) in sides.into_iter().filter(|_| open) {
-            let known = &self.interfaces[side.body];
-            let shared = nodes.map_or(0, |nodes| shared(known, &nodes.nodes));
-            // A corner between two edges is one node.
-            if shared > 1 {
-                let what = format!(
-                    "{} touches in another contact at the same {shared} nodes, whose stresses would lack one of the two: give parts of the edge names of their own",
-                    side.of
-                );
-                return Err(refused(contact, what));
-            }
+        if matches!(geometry, Geometry::Open(_)) {
+            let sides = [(first, Some(&upper)), (second, lower.as_ref())];
+            self.refuse_shared_nodes(contact, sides)?;
         }
         let [above, below] = self.sides(meshes, bodies, &upper, lower.as_ref());
         let body = &plan.bodies[first.body];
@@ -143,16 +119,9 @@ impl Contacts {
         };
         let (points, chosen) = tied.tie(&above, &below)?;
         if plan.finds_gaps_deformed() {
-            let is_of_elements =
-                |&own: &usize| !plan.is_rigid(own) && plan.bodies[own].series.is_none();
-            let series = bodies
-                .iter()
-                .find_map(|&own| plan.bodies[own].series.as_deref());
-            let series = series.filter(|_| bodies.iter().any(is_of_elements));
-            let faced = plan.bodies[second.body].series.as_deref();
-            let faced = faced.and_then(SeriesBody::circle_nodes);
+            let by_series = facing::by_series(plan, bodies);
             let sides = [&above, &below];
-            let facing = tied.facing(self.pairs.len(), sides, &points, (series, faced))?;
+            let facing = tied.facing(self.pairs.len(), sides, &points, by_series)?;
             self.facings.push(facing);
         }
         let local = above.local.clone();
@@ -174,6 +143,27 @@ impl Contacts {
             law: Arc::from(contact.law.clone()),
         });
         Ok(chosen)
+    }
+
+    /// Refuses `contact` where one of its open edges has nodes that touch in another contact already.
+    fn refuse_shared_nodes(
+        &self,
+        contact: &Contact,
+        sides: [(&Placed<'_, SetRef>, Option<&EdgeNodes>); 2],
+    ) -> Result<(), ModelError> {
+        for (side, nodes) in sides {
+            let known = &self.interfaces[side.body];
+            let shared = nodes.map_or(0, |nodes| shared(known, &nodes.nodes));
+            // A corner between two edges is one node.
+            if shared > 1 {
+                let what = format!(
+                    "{} touches in another contact at the same {shared} nodes, whose stresses would lack one of the two: give parts of the edge names of their own",
+                    side.of
+                );
+                return Err(refused(contact, what));
+            }
+        }
+        Ok(())
     }
 
     /// Adds the nodes of the edges `upper` and `lower` to the contact points of their bodies.
@@ -217,6 +207,25 @@ fn loaded(plan: &Plan<'_>, on: &Placed<'_, SetRef>, mut edge: ModelEdge) -> Mode
     edge.tractions = edge_loads::edge_tractions(plan, on, &edge);
     edge.reactions = edge_loads::edge_reactions(plan, on, &edge);
     edge
+}
+
+/// What the edges of a contact are to each other, if they can touch.
+fn geometry(plan: &Plan<'_>, planned: &ContactPlan<'_>) -> Result<Geometry, ModelError> {
+    let contact = planned.of;
+    if plan.is_rigid(planned.sides[0].body) {
+        let what = format!(
+            "the first body '{}' is rigid, which only the second may be: give it a material",
+            contact.first.body
+        );
+        return Err(refused(contact, what));
+    }
+    Geometry::of(plan, planned).ok_or_else(|| {
+        let what = format!(
+            "{} and {} cannot touch; a hole takes a disk's rim or a ring's outer edge, a cylinder a block, an open edge another",
+            contact.first, contact.second
+        );
+        refused(contact, what)
+    })
 }
 
 fn refused(contact: &Contact, what: String) -> ModelError {

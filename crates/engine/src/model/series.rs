@@ -47,17 +47,9 @@ pub(super) fn choose(
             continue;
         }
         let division = division(plan, scene, index);
-        let ready = known.and_then(|model| model.bodies[index].series.clone());
-        let fits = |ready: &Arc<SeriesBody>| match ready.nodes() {
-            SeriesNodes::Circle(known) => {
-                nodes(plan, index, &division, half).is_ok_and(|nodes| nodes == *known)
-            }
-            SeriesNodes::Line(known) => {
-                line_nodes(plan, index, &division, half).is_ok_and(|nodes| nodes == *known)
-            }
-        };
-        let ready = ready.filter(fits);
         let is_line = half_plane::stands_for_one(plan, index);
+        let ready = known.and_then(|model| model.bodies[index].series.clone());
+        let ready = ready.filter(|ready| has_nodes(plan, index, &division, half, ready));
         let failure = scene.failure.as_ref();
         let is_followed = failure.is_some_and(|failure| failure.progressive.is_some());
         let made_of = match ready {
@@ -75,9 +67,10 @@ pub(super) fn choose(
         match made_of {
             Ok(body) => made.push((index, division, body)),
             Err(why) if asked.is_closed_form() => {
+                let is_half_plane = is_line && *asked == BodyModel::HalfPlane;
                 return Err(ModelError::NotSeries {
                     body: plan.bodies[index].name.to_owned(),
-                    model: if is_line && *asked == BodyModel::HalfPlane {
+                    model: if is_half_plane {
                         "as a half-plane"
                     } else {
                         "by series"
@@ -103,6 +96,35 @@ pub(super) fn choose(
     if made.is_empty() {
         return elements(plan, "", choices);
     }
+    put(plan, made, explicit, choices);
+    Ok(())
+}
+
+/// Whether `ready` has the nodes that the body with the index `index` wants.
+fn has_nodes(
+    plan: &Plan<'_>,
+    index: usize,
+    division: &MeshSettings,
+    half: bool,
+    ready: &SeriesBody,
+) -> bool {
+    match ready.nodes() {
+        SeriesNodes::Circle(known) => {
+            nodes(plan, index, division, half).is_ok_and(|nodes| nodes == *known)
+        }
+        SeriesNodes::Line(known) => {
+            line_nodes(plan, index, division, half).is_ok_and(|nodes| nodes == *known)
+        }
+    }
+}
+
+/// Puts the operators `made`, with the divisions of their bodies, into `plan`.
+fn put(
+    plan: &mut Plan<'_>,
+    made: Vec<(usize, MeshSettings, Arc<SeriesBody>)>,
+    explicit: bool,
+    choices: &mut Vec<Choice>,
+) {
     let names: Vec<&str> = made
         .iter()
         .map(|(index, ..)| plan.bodies[*index].name)
@@ -125,7 +147,6 @@ pub(super) fn choose(
         plan.bodies[index].mesh = division;
         plan.bodies[index].series = Some(body);
     }
-    Ok(())
 }
 
 /// Makes the elastic partners of half-planes half-planes as well, whose nodes have the same means, and refuses others.

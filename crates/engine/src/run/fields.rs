@@ -150,28 +150,8 @@ fn pass(
             let states = loads_on(records, &forces);
             let displacements = body.displacements_of(&states);
             if audits || model.edges.iter().any(|edge| edge.is_held_on(index)) {
-                let residuals = body.residual_forces_of(&displacements, &states);
-                let balances = body.balances_of(&residuals, &displacements, &states);
-                let found = residuals.iter().zip(&displacements);
-                for ((step, balance), (residual, u)) in steps.iter_mut().zip(balances).zip(found) {
-                    step.balance[index] = audits.then_some(balance);
-                    let mut reactions = residual.clone();
-                    let springs = body.body().spring_forces(u);
-                    let both = reactions.iter_mut().zip(springs);
-                    both.for_each(|(sum, force)| *sum += force);
-                    step.add_reactions(model, index, &reactions);
-                }
-                if audits && model.sets.iter().any(|own| own.set.body == index) {
-                    let found = displacements.iter().zip(&residuals).zip(&states);
-                    for ((record, step), ((u, residual), state)) in
-                        records.iter().zip(steps.iter_mut()).zip(found)
-                    {
-                        let motions = &step.motions[index];
-                        let own = (index, body, motions.as_slice());
-                        let found = [u.as_slice(), residual];
-                        sets::of_elastic(model, own, (record, state), found, &mut step.sets);
-                    }
-                }
+                let found = (displacements.as_slice(), states.as_slice());
+                audit(model, (index, body), records, found, audits, steps);
             }
             if body.blocks().is_some() {
                 for ((step, u), state) in steps.iter_mut().zip(&displacements).zip(&states) {
@@ -194,6 +174,40 @@ fn pass(
         }
     }
     all
+}
+
+/// The balance of the body with this index, its reactions on held edges and the motions of its sets, for each of `records`, from its displacements and from what acts on it; without
+/// `audits` the reactions alone.
+fn audit(
+    model: &Model,
+    (index, body): (usize, &CondensedBody),
+    records: &[StepRecord],
+    (displacements, states): (&[Vec<f64>], &[BodyLoad<'_>]),
+    audits: bool,
+    steps: &mut [Recovered],
+) {
+    let residuals = body.residual_forces_of(displacements, states);
+    let balances = body.balances_of(&residuals, displacements, states);
+    let found = residuals.iter().zip(displacements);
+    for ((step, balance), (residual, u)) in steps.iter_mut().zip(balances).zip(found) {
+        step.balance[index] = audits.then_some(balance);
+        let mut reactions = residual.clone();
+        let springs = body.body().spring_forces(u);
+        let both = reactions.iter_mut().zip(springs);
+        both.for_each(|(sum, force)| *sum += force);
+        step.add_reactions(model, index, &reactions);
+    }
+    if !audits || model.sets.iter().all(|own| own.set.body != index) {
+        return;
+    }
+    let found = displacements.iter().zip(&residuals).zip(states);
+    for ((record, step), ((u, residual), state)) in records.iter().zip(steps.iter_mut()).zip(found)
+    {
+        let motions = &step.motions[index];
+        let own = (index, body, motions.as_slice());
+        let found = [u.as_slice(), residual];
+        sets::of_elastic(model, own, (record, state), found, &mut step.sets);
+    }
 }
 
 /// The displacements `u` of the contact points of `body`, recovered inside, less those by its compliance.

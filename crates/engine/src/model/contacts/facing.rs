@@ -6,12 +6,28 @@ use stickslip_series::Nodes;
 
 use super::projection::{Side, Tied};
 use crate::model::ModelError;
+use crate::model::plan::Plan;
 use crate::results::EdgeKind;
 use crate::series::SeriesBody;
 use stickslip_scene::schema::GapKind;
 
 /// Nodes and the means of their hats that are closer are one place `[rad]`.
 const EQUAL: f64 = 1e-9;
+
+/// Of two `bodies` in contact the one by series that touches one of elements, and the nodes of the second one by series.
+pub(super) fn by_series<'p>(
+    plan: &'p Plan<'_>,
+    bodies: [usize; 2],
+) -> (Option<&'p SeriesBody>, Option<&'p Nodes>) {
+    let series = |own: usize| plan.bodies[own].series.as_deref();
+    let is_of_elements = |&own: &usize| !plan.is_rigid(own) && series(own).is_none();
+    let beside_elements = bodies.into_iter().find_map(series);
+    let beside_elements = beside_elements.filter(|_| bodies.iter().any(is_of_elements));
+    (
+        beside_elements,
+        series(bodies[1]).and_then(SeriesBody::circle_nodes),
+    )
+}
 
 impl Tied<'_> {
     /// The edges `first` and `second` of the contact with the number `index`, tied at `points`; `beside_elements` is the body by series that touches one of elements, `faced` are the nodes of
