@@ -11,7 +11,7 @@
 //!
 //! A key of meshes is one row for `mesh` and `bodies.NAME.mesh`. Beside its field and its row it needs what makes it part of a mesh: the
 //! compiler asks for it where a body's settings are made of its own and the scene's (`build/mesh.rs`) and where a mesh is made coarser
-//! (`schema.rs`), and the shapes that use it name it in [`mesh_keys`](crate::shape::Outline::mesh_keys); of others it is refused.
+//! (`schema/mesh.rs`), and the shapes that use it name it in [`mesh_keys`](crate::shape::Outline::mesh_keys); of others it is refused.
 
 mod bodies;
 mod document;
