@@ -74,6 +74,7 @@
 
 mod curve;
 mod geometry;
+mod slopes;
 
 use nalgebra::DVector;
 use stickslip_fem_core::InterfaceOperator;

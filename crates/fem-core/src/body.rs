@@ -14,6 +14,7 @@ mod constraints;
 mod elastic;
 mod equations;
 mod error;
+mod free_motions;
 mod partitioned;
 mod parts;
 mod regions;

@@ -12,19 +12,22 @@
 //! A zone that slips goes on inwards until it sticks, where |τ| < μ p. χ² of many places hardly sees the first of them, so that the inner
 //! parts of a zone are fitted with a coefficient of their own: if χ² falls by much with one that is less, the zone is too long.
 
+mod bounds;
 mod confidence;
+mod error;
+mod misfit;
 mod simulate;
 mod simultaneous;
 mod together;
 
 use std::ops::Range;
 
-use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
-use thiserror::Error;
-
+pub use bounds::Bounds;
 use confidence::CHI_SQUARED_95;
 pub(crate) use confidence::excess;
 pub use confidence::{chi_squared_of_one, normal_quantile};
+pub use error::IdentifyError;
+use misfit::Misfit;
 pub use simultaneous::simultaneous_quantile;
 
 /// Parts of a zone at its inner end that may not have a lesser coefficient of their own.
@@ -32,9 +35,6 @@ const INNER_PARTS: [f64; 2] = [0.5, 0.25];
 /// By so much χ² may fall with such a coefficient, that of 1.4 standard deviations: rather is a zone too short than that it holds places
 /// which stick.
 const LARGEST_FALL: f64 = 2.0;
-/// Part of the mean variance below which one is rounding: places closer than the data resolve move together.
-const ROUNDING: f64 = 1e-10;
-
 /// Coefficients that are looked at: a grid that is fine where coefficients usually lie.
 const LARGEST: f64 = 100.0;
 const GRID: usize = 400;
@@ -50,95 +50,6 @@ pub struct Tractions {
     pub shear: Vec<f64>,
     /// Covariance of all pressures, then all shears `[stress²]`: square, row by row.
     pub covariance: Vec<f64>,
-}
-
-/// Why tractions do not determine friction.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[non_exhaustive]
-pub enum IdentifyError {
-    /// Lists that do not belong together.
-    #[error(
-        "{pressures} pressures, {shears} shears and {entries} entries of covariance: as many pressures as shears are wanted, and the square of twice as many"
-    )]
-    Lengths {
-        /// Pressures given.
-        pressures: usize,
-        /// Shears given.
-        shears: usize,
-        /// Entries of the covariance given.
-        entries: usize,
-    },
-    /// A zone with no place, or beyond the last.
-    #[error("the zone {}..{} is not among {places} places", .zone.start, .zone.end)]
-    Zone {
-        /// The requested zone.
-        zone: Range<usize>,
-        /// Places given.
-        places: usize,
-    },
-    /// A value that is not finite.
-    #[error("the traction at place {place} is not finite")]
-    NotFinite {
-        /// Index of the place.
-        place: usize,
-    },
-    /// Not a valid covariance matrix.
-    #[error("the covariance of the zone is not positive definite, at place {place} of it")]
-    Covariance {
-        /// Index in the zone.
-        place: usize,
-    },
-}
-
-/// What data say of a coefficient, with a confidence of 95 % where no other is said.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Bounds {
-    /// It lies between these.
-    Between(f64, f64),
-    /// It is at most this; there may be no friction at all.
-    AtMost(f64),
-    /// It is at least this.
-    AtLeast(f64),
-    /// Not identifiable: no coefficient is ruled out.
-    Nothing,
-}
-
-impl Bounds {
-    /// Bounds with these ends, lower and upper; `None` where there is none.
-    pub fn of(ends: [Option<f64>; 2]) -> Self {
-        match ends {
-            [Some(low), Some(high)] => Self::Between(low, high),
-            [None, Some(high)] => Self::AtMost(high),
-            [Some(low), None] => Self::AtLeast(low),
-            [None, None] => Self::Nothing,
-        }
-    }
-
-    /// The lower and the upper end; `None` where there is none.
-    pub fn ends(self) -> [Option<f64>; 2] {
-        match self {
-            Self::Between(low, high) => [Some(low), Some(high)],
-            Self::AtMost(high) => [None, Some(high)],
-            Self::AtLeast(low) => [Some(low), None],
-            Self::Nothing => [None; 2],
-        }
-    }
-
-    /// Whether `mu` lies within.
-    pub fn contain(self, mu: f64) -> bool {
-        let [low, high] = self.ends();
-        low.is_none_or(|low| mu >= low) && high.is_none_or(|high| mu <= high)
-    }
-
-    /// The same with ends whose distances from `best` hold a further error `by` of the value, squares added. An end at or below `least`, the
-    /// least possible value, is left out.
-    #[must_use]
-    pub fn widened(self, best: f64, by: f64, least: f64) -> Self {
-        let [low, high] = self.ends();
-        let low = low.map(|low| best - (best - low).hypot(by));
-        let high = high.map(|high| best + (high - best).hypot(by));
-        Self::of([low.filter(|low| *low > least), high])
-    }
 }
 
 /// Friction of a zone that slips.
@@ -182,7 +93,7 @@ impl Tractions {
         positive: bool,
         rise: f64,
     ) -> Result<SlipFit, IdentifyError> {
-        let misfit = Misfit::new(self, zone, positive)?;
+        let misfit = self.misfit(zone, positive)?;
         let grid: Vec<f64> = (0..=GRID)
             .map(|k| coefficient(k as f64 / GRID as f64))
             .collect();
@@ -262,7 +173,7 @@ impl Tractions {
         positive: bool,
         mu: f64,
     ) -> Result<bool, IdentifyError> {
-        let misfit = Misfit::new(self, zone.clone(), positive)?;
+        let misfit = self.misfit(zone.clone(), positive)?;
         let factor = misfit.factor(mu)?;
         for part in INNER_PARTS {
             let count = (part * zone.len() as f64).round() as usize;
@@ -324,6 +235,12 @@ impl Tractions {
         }
     }
 
+    /// χ² of a zone in which friction is `positive` or not.
+    fn misfit(&self, zone: Range<usize>, positive: bool) -> Result<Misfit, IdentifyError> {
+        let own = self.of_zones(&[(zone, positive)])?;
+        Ok(Misfit::new(own.pressure, own.shear, &own.covariance))
+    }
+
     fn check(&self, zone: &Range<usize>) -> Result<(), IdentifyError> {
         let [pressures, shears] = [&self.pressure, &self.shear].map(Vec::len);
         if pressures != shears || self.covariance.len() != 4 * pressures * pressures {
@@ -351,128 +268,4 @@ impl Tractions {
 /// Coefficients from 0 to [`LARGEST`], evenly spread at first.
 fn coefficient(part: f64) -> f64 {
     (part * (1.0 + LARGEST).ln()).exp_m1()
-}
-
-/// Cholesky factor of a covariance whose eigenvalues may be rounding.
-fn factored(mut covariance: Matrix) -> Result<DenseCholesky, usize> {
-    let n = covariance.rows();
-    let mean = (0..n).map(|i| covariance[(i, i)]).sum::<f64>() / n as f64;
-    (0..n).for_each(|i| covariance[(i, i)] += ROUNDING * mean);
-    DenseCholesky::new(covariance).map_err(|cause| cause.row)
-}
-
-/// χ² of the residual τ − μ p, whitened by the factor of its covariance.
-fn chi_squared(factor: &DenseCholesky, pressure: &[f64], shear: &[f64], mu: f64) -> f64 {
-    let residual = shear.iter().zip(pressure).map(|(tau, p)| tau - mu * p);
-    let whitened = factor.whiten(&residual.collect::<Vec<f64>>());
-    whitened.iter().map(|r| r * r).sum()
-}
-
-/// χ² of a zone.
-struct Misfit {
-    pressure: Vec<f64>,
-    shear: Vec<f64>,
-    /// Σ_pp, s (Σ_pτ + Σ_τp) and Σ_ττ.
-    blocks: [Matrix; 3],
-}
-
-impl Misfit {
-    fn new(data: &Tractions, zone: Range<usize>, positive: bool) -> Result<Self, IdentifyError> {
-        let own = data.of_zones(&[(zone, positive)])?;
-        let count = own.pressure.len();
-        let entry = |i: usize, j: usize| own.covariance[i * 2 * count + j];
-        let blocks = [
-            Matrix::from_fn(count, count, entry),
-            Matrix::from_fn(count, count, |i, j| {
-                entry(i, count + j) + entry(count + i, j)
-            }),
-            Matrix::from_fn(count, count, |i, j| entry(count + i, count + j)),
-        ];
-        Ok(Self {
-            blocks,
-            pressure: own.pressure,
-            shear: own.shear,
-        })
-    }
-
-    fn places(&self) -> usize {
-        self.pressure.len()
-    }
-
-    /// Cholesky factor of C(μ).
-    fn factor(&self, mu: f64) -> Result<DenseCholesky, IdentifyError> {
-        let n = self.places();
-        let [pp, both, tt] = &self.blocks;
-        let spread = Matrix::from_fn(n, n, |i, j| {
-            mu * mu * pp[(i, j)] - mu * both[(i, j)] + tt[(i, j)]
-        });
-        factored(spread).map_err(|place| IdentifyError::Covariance { place })
-    }
-
-    /// By how much χ² falls when the places `inner` have a coefficient of their own, less than that of the others; 0 where it would not
-    /// be less. `factor` is that of C.
-    fn fall(&self, factor: &DenseCholesky, inner: &Range<usize>) -> f64 {
-        let n = self.places();
-        let mut whitened = Matrix::from_fn(n, 3, |i, column| match (column, inner.contains(&i)) {
-            (0, _) => self.shear[i],
-            (1, false) | (2, true) => self.pressure[i],
-            _ => 0.0,
-        });
-        factor.solve_lower(&mut whitened);
-        let dot = |i: usize, j: usize| -> f64 {
-            (0..n).map(|k| whitened[(k, i)] * whitened[(k, j)]).sum()
-        };
-        let (outer, own, both) = (dot(1, 1), dot(2, 2), dot(1, 2));
-        let (of_outer, of_own) = (dot(1, 0), dot(2, 0));
-        let determinant = outer * own - both * both;
-        if determinant <= ROUNDING * outer * own {
-            return 0.0;
-        }
-        let mu_outer = (own * of_outer - both * of_own) / determinant;
-        let mu_own = (outer * of_own - both * of_outer) / determinant;
-        if mu_own >= mu_outer {
-            return 0.0;
-        }
-        let together = (of_outer + of_own).powi(2) / (outer + 2.0 * both + own);
-        mu_outer * of_outer + mu_own * of_own - together
-    }
-
-    fn at(&self, mu: f64) -> Result<f64, IdentifyError> {
-        let factor = self.factor(mu)?;
-        Ok(chi_squared(&factor, &self.pressure, &self.shear, mu))
-    }
-
-    /// Where χ² is least between `low` and `high`, by golden sections.
-    fn least(&self, mut low: f64, mut high: f64) -> Result<f64, IdentifyError> {
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        let inner =
-            |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-        for _ in 0..60 {
-            let [left, right] = inner(low, high);
-            if self.at(left)? <= self.at(right)? {
-                high = right;
-            } else {
-                low = left;
-            }
-        }
-        Ok(f64::midpoint(low, high))
-    }
-
-    /// Where χ² passes `limit` between `outside`, where it is above, and `inside`, where it is not.
-    fn crossing(
-        &self,
-        mut outside: f64,
-        mut inside: f64,
-        limit: &dyn Fn(f64) -> f64,
-    ) -> Result<f64, IdentifyError> {
-        for _ in 0..60 {
-            let middle = f64::midpoint(outside, inside);
-            if self.at(middle)? > limit(middle) {
-                outside = middle;
-            } else {
-                inside = middle;
-            }
-        }
-        Ok(f64::midpoint(outside, inside))
-    }
 }

@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 use stickslip_fem_core::mesh::Point;
 
+use super::slopes::slopes;
+
 /// An undeformed edge with the nodes at which its displacements are known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
@@ -83,15 +85,16 @@ impl Curve {
             return Err(format!("{count} nodes make no cells of order {order}"));
         }
         let end = parameter[0] + TAU;
-        let closing = (ends == CurveEnds::Closed).then_some(&end);
+        let closed = ends == CurveEnds::Closed;
+        let closing = closed.then_some(&end);
         let next = parameter[1..].iter().chain(closing);
         let ascends = |(at, next): (&f64, &f64)| at < next;
         if !parameter.iter().zip(next).all(ascends) {
             return Err("the parameter does not ascend".to_owned());
         }
         Ok(Self {
-            slopes: slopes(&parameter, order, ends, order == 1),
-            skew: slopes(&parameter, order, ends, false),
+            slopes: slopes(&parameter, order, closed, order == 1),
+            skew: slopes(&parameter, order, closed, false),
             shape,
             nodes,
             parameter,
@@ -248,86 +251,6 @@ impl Curve {
         }
         bend
     }
-}
-
-/// The derivative in each node's cell, at a corner the mean of both cells by their lengths, or `crosswise` by the length of the other cell: of linear
-/// cells the first is skew and the second exact for parabolas.
-fn slopes(
-    parameter: &[f64],
-    order: usize,
-    ends: CurveEnds,
-    crosswise: bool,
-) -> Vec<Vec<(usize, f64)>> {
-    let count = parameter.len();
-    let mut slopes: Vec<Vec<(usize, f64)>> = vec![Vec::new(); count];
-    let lengths = |first: usize| parameter_at(parameter, first + order) - parameter[first];
-    let last = match ends {
-        CurveEnds::Closed => count,
-        CurveEnds::Open { .. } => count - 1,
-    };
-    for first in (0..last).step_by(order) {
-        let at: Vec<f64> = (first..=first + order)
-            .map(|k| parameter_at(parameter, k))
-            .collect();
-        for (own, weights) in derivatives(&at).into_iter().enumerate() {
-            let node = (first + own) % count;
-            let neighbour = match (own, ends) {
-                (0, CurveEnds::Closed) => Some((first + count - order) % count),
-                (0, CurveEnds::Open { .. }) => first.checked_sub(order),
-                (_, CurveEnds::Closed) if own == order => Some(node),
-                (_, CurveEnds::Open { .. }) if own == order && node < last => Some(node),
-                _ => None,
-            };
-            let length = lengths(first);
-            let share = neighbour.map_or(1.0, |other| {
-                let other = lengths(other);
-                let own = if crosswise { other } else { length };
-                own / (length + other)
-            });
-            for (k, weight) in weights.into_iter().enumerate() {
-                let position = (first + k) % count;
-                match slopes[node]
-                    .iter_mut()
-                    .find(|(known, _)| *known == position)
-                {
-                    Some((_, sum)) => *sum += share * weight,
-                    None => slopes[node].push((position, share * weight)),
-                }
-            }
-        }
-    }
-    let negligible = |own: &[(usize, f64)]| {
-        1e-12
-            * own
-                .iter()
-                .fold(0.0, |most: f64, (_, weight)| most.max(weight.abs()))
-    };
-    for own in &mut slopes {
-        let least = negligible(own);
-        own.retain(|(_, weight)| weight.abs() > least);
-    }
-    slopes
-}
-
-/// Parameter of the node `k`, which may be beyond the period.
-fn parameter_at(parameter: &[f64], k: usize) -> f64 {
-    let count = parameter.len();
-    parameter[k % count] + TAU * (k / count) as f64
-}
-
-/// Derivatives of Lagrange's polynomials of the places `at`, at each place those of all.
-fn derivatives(at: &[f64]) -> Vec<Vec<f64>> {
-    let others = |k: usize| (0..at.len()).filter(move |&other| other != k);
-    let product = |k: usize| -> f64 { others(k).map(|other| at[k] - at[other]).product() };
-    let entry = |own: usize, of: usize| {
-        if own == of {
-            others(own).map(|other| (at[own] - at[other]).recip()).sum()
-        } else {
-            product(own) / (product(of) * (at[own] - at[of]))
-        }
-    };
-    let row = |own: usize| (0..at.len()).map(|of| entry(own, of)).collect();
-    (0..at.len()).map(row).collect()
 }
 
 fn dot(a: Point, b: Point) -> f64 {

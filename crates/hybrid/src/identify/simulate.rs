@@ -10,7 +10,8 @@ use rand::SeedableRng;
 use rand::rngs::StdRng;
 use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
 
-use super::{Bounds, IdentifyError, Misfit, SlipFit, Tractions, chi_squared, factored};
+use super::misfit::{Misfit, chi_squared, factored};
+use super::{Bounds, IdentifyError, SlipFit, Tractions};
 use crate::random::normal;
 
 /// Coefficients at which χ² is known while a draw is fitted, on either side of the best one.
@@ -38,7 +39,7 @@ impl Tractions {
             Bounds::AtMost(high) => high - fit.mu,
             Bounds::AtLeast(_) | Bounds::Nothing => return Ok(Vec::new()),
         };
-        let misfit = Misfit::new(self, zone.clone(), positive)?;
+        let misfit = self.misfit(zone.clone(), positive)?;
         let grid = Grid::new(&misfit, fit.mu, REACH * half / GRID as f64)?;
         let factor = root(self, &zone, positive)?;
         let root = factor.lower();

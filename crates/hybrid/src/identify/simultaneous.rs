@@ -11,7 +11,8 @@ use rand::SeedableRng;
 use rand::rngs::StdRng;
 use stickslip_fem_core::linalg::Matrix;
 
-use super::{IdentifyError, factored};
+use super::error::IdentifyError;
+use super::misfit::factored;
 use crate::random::normal;
 
 /// Draws of the joint distribution. The quantile of 95 % then has a standard deviation of about 0.03.
