@@ -66,7 +66,7 @@ fn mirror_outline(outline: &mut Value, across: usize, sides: [&str; 2]) {
     let mirror = |point: &mut Value| negate(point.get_mut(across));
     mirror(&mut outline["start"]);
     let start = outline["start"].clone();
-    let mut edges: Vec<Value> = list_mut(outline, "edges").map(|edge| edge.take()).collect();
+    let mut edges: Vec<Value> = list_mut(outline, "edges").map(Value::take).collect();
     let mut begin = start.clone();
     for edge in &mut edges {
         for key in ["to", "through"] {
