@@ -16,6 +16,7 @@
 //! Everything is in the scene's display units, and every heading names its unit.
 
 mod attempt;
+mod bypass;
 mod consistency;
 mod csv_files;
 mod display;

@@ -40,6 +40,10 @@ pub struct LoadedSet {
     pub on: String,
     /// What acts on it.
     pub kind: SetKind,
+    /// Force on the body over the force of the set, (x, y): the direction, of a pressure the mean normal against which it is counted.
+    pub along: [f64; 2],
+    /// Smallest and largest x of its nodes `[mm]`; `None` where a body is loaded or held as a whole.
+    pub reach: Option<[f64; 2]>,
 }
 
 /// A set at the end of a load step.

@@ -1,5 +1,6 @@
 //! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
 
+mod bypass;
 mod displacement;
 mod failure;
 mod fastener;
@@ -19,6 +20,8 @@ pub use stated::{Errors, Ladder, LadderEnd, RowErrors, Rung, Stated};
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
+
+pub use bypass::{PlateRows, RowForces};
 
 pub use displacement::{LoadedSet, SetKind, SetMotion, Stiffness};
 

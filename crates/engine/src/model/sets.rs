@@ -70,12 +70,20 @@ pub(super) fn all(
             cause,
         };
         let (force, weights) = weights(body, case, on, kind, half).map_err(mesh_error)?;
+        let along = match kind {
+            SetKind::Force { direction } | SetKind::Held { direction } => direction,
+            SetKind::Pressure => weights
+                .iter()
+                .fold([0.0; 2], |[x, y], (_, own)| [x + own[0], y + own[1]]),
+        };
         sets.push(ModelSet {
             set: LoadedSet {
                 name: load.of.name.clone(),
                 body: load.body,
                 on: on.to_string(),
                 kind,
+                along,
+                reach: reach(body, weights.iter().map(|(node, _)| *node)),
             },
             measure: Measure::Load {
                 case,
@@ -165,6 +173,8 @@ fn sprung(
             body: placed.body,
             on,
             kind: SetKind::Held { direction },
+            along: direction,
+            reach: reach(body, weights.iter().map(|(node, _)| *node)),
         },
         measure: Measure::Springs { weights, stiffness },
     }))
@@ -187,6 +197,10 @@ fn held(
             cause,
         })
     });
+    let nodes = nodes.transpose()?;
+    let reach = nodes
+        .as_ref()
+        .and_then(|nodes| reach(own, nodes.iter().copied()));
     let mut along = direction;
     if let Some(across) = shape.mirror().filter(|_| half) {
         along[across] = 0.0;
@@ -198,11 +212,21 @@ fn held(
             body,
             on: on.to_string(),
             kind: SetKind::Held { direction },
+            along: direction,
+            reach,
         },
         measure: Measure::Held {
-            nodes: nodes.transpose()?,
+            nodes,
             along,
             displacement,
         },
     })
+}
+
+/// Smallest and largest x `[mm]` of `nodes` of an elastic `body`; `None` of a rigid one, and without nodes.
+fn reach(body: &ModelBody, nodes: impl Iterator<Item = usize>) -> Option<[f64; 2]> {
+    let places = body.elastic()?.mesh().nodes();
+    let mut along = nodes.filter_map(|node| Some(places.get(node)?[0]));
+    let first = along.next()?;
+    Some(along.fold([first; 2], |[from, to], x| [from.min(x), to.max(x)]))
 }

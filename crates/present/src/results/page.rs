@@ -5,6 +5,7 @@ use stickslip_report::page::{Block, Figure, Page, PageError, Section};
 use stickslip_report::prose::Prose;
 
 use super::FileNote;
+use super::bypass;
 use super::display::EdgeView;
 use super::display::shared;
 use super::failure::{self, FailureView};
@@ -291,7 +292,9 @@ fn steps_section(results: &Results) -> Result<Section, PageError> {
     section = sides.fold(section, Section::with);
     let stresses = stresses::table(results).map(|table| table.note(stresses::NOTE));
     let further = sharing::tables(results).into_iter();
-    let further = further.chain(fasteners::tables(results));
+    let further = further
+        .chain(bypass::tables(results))
+        .chain(fasteners::tables(results));
     let further = further
         .chain(sets::tables(results))
         .chain(sets::reactions(results));

@@ -6,56 +6,40 @@ use stickslip_text::significant;
 
 use super::display::EdgeView;
 
-/// The contacts on the body of `edge`, as the first of which it stands, in their order.
-fn contacts_beside<'a>(edge: &EdgeView<'a>) -> Vec<EdgeView<'a>> {
-    let all = EdgeView::all(edge.results());
-    let beside = edge.results().contacts_beside(edge.index());
-    beside.into_iter().map(|index| all[index]).collect()
-}
-
-/// Whether other contacts act on the body of the contact `edge` as well.
+/// Whether the contact `edge` shares the load of a body with others.
 pub(super) fn is_shared(edge: &EdgeView<'_>) -> bool {
-    edge.geometry.contact && contacts_beside(edge).len() > 1
+    edge.results().shared_body(edge.index()).is_some()
 }
 
-/// The share of the contact `edge` in the load of its body at the end of `step`, where it has one.
+/// The share of the contact `edge` in the load of that body at the end of `step`, where it has one.
 pub(super) fn share(edge: &EdgeView<'_>, step: usize) -> Option<LoadShare> {
     edge.results().load_share(edge.index(), step)
 }
 
-/// One table for each body on which several contacts act.
+/// One table for each body whose load several contacts share.
 pub(super) fn tables(results: &Results) -> Vec<Table> {
-    let mut tables = Vec::new();
-    for edge in EdgeView::all(results) {
-        let contacts = contacts_beside(&edge);
-        let is_first = contacts.first().is_some_and(|first| edge.is_same(first));
-        if is_first && contacts.len() > 1 {
-            tables.push(table(&contacts));
-        }
-    }
-    tables
+    let bodies = (0..results.bodies.len()).filter(|&body| results.shares_load(body));
+    bodies.map(|body| table(results, body)).collect()
 }
 
-/// Force and share of each of `contacts`, one row per load step.
-fn table(contacts: &[EdgeView<'_>]) -> Table {
-    let [first, ..] = contacts else {
-        return Columns::new().table("Load sharing", 0..0);
-    };
-    let unit = first.units().force;
+/// Force and share of each contact of the body with the index `body`, one row per load step.
+fn table(results: &Results, body: usize) -> Table {
+    let unit = results.units.force;
     let mut columns = Columns::new().with("step", "", |step: usize| (step + 1).to_string());
-    for edge in contacts.iter().copied() {
-        let name = &edge.geometry.name;
+    for index in results.contacts_of(body) {
+        let name = &results.edges[index].name;
         columns = columns
             .with(format!("force '{name}'"), unit.name, move |step| {
-                let [x, y] = edge.step(step).resultant;
+                let [x, y] = results.force_on(body, index, step);
                 significant(unit.from_base(x.hypot(y)), 5)
             })
             .with(format!("share '{name}'"), "%", move |step| {
-                share(&edge, step).map_or("balanced".into(), cell)
+                let share = results.share_of(body, index, step);
+                share.map_or("balanced".into(), cell)
             });
     }
-    let caption = format!("Load sharing on '{}'", first.body());
-    columns.table(caption, 0..first.results().steps.len())
+    let caption = format!("Load sharing on '{}'", results.bodies[body].name);
+    columns.table(caption, 0..results.steps.len())
 }
 
 fn cell(share: LoadShare) -> String {

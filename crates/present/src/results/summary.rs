@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use stickslip_contact::Status;
 use stickslip_contact::history::Difference;
 
+use super::bypass;
 use super::display::{EdgeView, energy, energy_unit};
 use super::failure::{self, FailureView};
 use super::fasteners;
@@ -218,6 +219,7 @@ fn step_entry<'a>(
         fasteners: (results.fasteners.iter().zip(&step.fasteners))
             .map(|(own, step)| (own.name.as_str(), fasteners::step_entry(step, units)))
             .collect(),
+        bypass: bypass::entries(results, index),
         iterations: step.work.solves,
         pivots: step.work.pivots,
         solvers: &step.solvers,

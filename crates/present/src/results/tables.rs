@@ -9,6 +9,7 @@ pub(super) use signs::signs_table;
 use stickslip_fem_core::mesh::Mesh;
 use stickslip_report::table::{Columns, Table};
 
+use super::bypass;
 use super::display::shared;
 use super::display::{EdgeView, even};
 use super::failure::{self, FailureView};
@@ -41,6 +42,7 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
     }
     for table in sharing::tables(results)
         .into_iter()
+        .chain(bypass::tables(results))
         .chain(fasteners::tables(results))
         .chain(sets::tables(results))
     {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use crate::results::bypass;
 use crate::results::failure::summary::Failure;
 use crate::results::fasteners;
 use crate::results::findings::Entry;
@@ -153,6 +154,9 @@ pub(super) struct Step<'a> {
     pub(super) stresses: Vec<stresses::Entry<'a>>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub(super) fasteners: BTreeMap<&'a str, fasteners::StepEntry>,
+    /// Bearing and bypass loads at rows of fasteners, by plates.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) bypass: BTreeMap<&'a str, Vec<bypass::Entry<'a>>>,
     pub(super) iterations: usize,
     pub(super) pivots: usize,
     pub(super) solvers: &'a [&'static str],

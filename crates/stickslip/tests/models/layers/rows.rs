@@ -202,3 +202,83 @@ fn a_loose_bolt_beside_tight_ones_carries_nothing() {
     let found: Vec<&Finding> = results.findings.iter().filter(kinds).collect();
     assert!(found.is_empty(), "{found:?}");
 }
+
+/// Between bolts a plate carries what those on one side of it leave, and each bolt takes the difference.
+#[test]
+fn bearing_and_bypass_are_the_incoming_load() {
+    const LOAD: f64 = 3e3;
+    let text = row(3, 24.0, "beam = { head = \"clamped\", nut = \"clamped\" }");
+    let results = solved(&text, &[]);
+    let plates = results.plates_with_rows();
+    assert_eq!(plates.len(), 3);
+    for plate in &plates {
+        let layer = ["lower", "pulled", "upper"]
+            .iter()
+            .position(|name| *name == results.bodies[plate.body].name)
+            .unwrap();
+        let forces = results.row_forces(plate, 0);
+        let bolts = results.steps[0].fasteners.iter();
+        let bolts: Vec<f64> = bolts.map(|own| own.layers[layer].force[0].abs()).collect();
+        let whole = if layer == 1 { LOAD } else { 0.5 * LOAD };
+        for (k, own) in forces.iter().enumerate() {
+            let beyond: f64 = if layer == 1 {
+                bolts[k + 1..].iter().sum()
+            } else {
+                bolts[..k].iter().sum()
+            };
+            for (found, wanted) in [
+                (own.bearing(), bolts[k]),
+                (own.bypass(), beyond),
+                (own.incoming(), beyond + bolts[k]),
+                (own.unbalanced(), 0.0),
+            ] {
+                assert!(
+                    (found - wanted).abs() < 1e-7 * whole,
+                    "{layer} {k}: {own:?} {bolts:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Shares do not depend on which side of its contacts a plate is.
+#[test]
+fn a_plate_shares_its_load_as_the_second_body_of_its_contacts_too() {
+    let mut text = head_of_rows();
+    text += &long_plate("pulled", 4.0, [-48.0, 42.0], &[0.0, 24.0]);
+    for k in 0..2 {
+        text += &tight(&format!("p{k}"), 4.0, &format!("pulled.h{k}"));
+        let _ = write!(
+            text,
+            "[[supports]]\non = \"p{k}.section\"\nfix = [\"x\", \"y\"]\n"
+        );
+    }
+    let first = solved(&text, &[]);
+    let mut turned = text.clone();
+    for k in 0..2 {
+        turned = turned.replace(
+            &format!("first = \"pulled.h{k}\"\nsecond = \"p{k}.rim\""),
+            &format!("first = \"p{k}.rim\"\nsecond = \"pulled.h{k}\""),
+        );
+    }
+    assert_ne!(text, turned);
+    let second = solved(&turned, &[]);
+    for k in 0..2 {
+        let [one, other] = [&first, &second].map(|own| own.load_share(k, 0).unwrap().part);
+        assert!((one - other).abs() < 1e-6, "{one} {other}");
+    }
+    let sharing = |own: &stickslip::results::Results| -> Vec<String> {
+        let bodies = (0..own.bodies.len()).filter(|&body| own.shares_load(body));
+        bodies.map(|body| own.bodies[body].name.clone()).collect()
+    };
+    assert_eq!(
+        (sharing(&first), sharing(&second)),
+        (vec!["pulled".to_owned()], vec!["pulled".to_owned()])
+    );
+    let [one, other] = [&first, &second].map(|own| {
+        let plates = own.plates_with_rows();
+        assert_eq!(plates.len(), 1);
+        own.row_forces(&plates[0], 0)[0].bypass()
+    });
+    assert!((one - other).abs() < 1e-6 * 3e3, "{one} {other}");
+}
