@@ -13,6 +13,7 @@ mod holds;
 mod idle;
 mod laminates;
 mod loads;
+mod lumped;
 mod mesh;
 mod progressive;
 mod written;

@@ -21,7 +21,9 @@ use crate::units::{
     Angle, AngleOrLength, BedStiffness, Force, Length, PerTemperature, Quantity, SpringStiffness,
     Stress, UnitName,
 };
-pub(super) use fasteners::{EndFormat, FastenerFormat, SpringsFormat};
+pub(super) use fasteners::{
+    EndFormat, FastenerFormat, FormulaFormat, JointFormat, LumpedFormat, SpringsFormat,
+};
 pub(super) use laminate::{
     CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, LaminateFormat,
     PlyFormat, StrengthsFormat,

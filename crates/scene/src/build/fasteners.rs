@@ -13,10 +13,10 @@ use crate::units::Quantity;
 const EQUAL: f64 = 1e-9;
 
 /// A slice in its plate.
-struct Slice<'a> {
-    body: &'a str,
-    radius: f64,
-    plate: &'a str,
+pub(super) struct Slice<'a> {
+    pub(super) body: &'a str,
+    pub(super) radius: f64,
+    pub(super) plate: &'a str,
     centre: [f64; 2],
 }
 
@@ -39,11 +39,16 @@ impl Builder<'_> {
             let found: Option<Vec<Slice<'_>>> = (slices.iter().enumerate())
                 .map(|(index, body)| self.slice(&format!("{table}.slices.{index}"), body, beside))
                 .collect();
-            let springs = self.springs(&table, springs, slices.len());
             let Some(found) = found else {
                 continue;
             };
             self.is_straight(&table, &found);
+            let springs = match springs {
+                SpringsFormat::Lumped(lumped) => {
+                    self.lumped(&table, lumped, &found, beside.materials)
+                }
+                others => self.springs(&table, others, slices.len()),
+            };
             if matches!(springs, Springs::Beam { .. }) {
                 self.is_a_beam(&table, &found, beside.materials);
             }
@@ -205,7 +210,7 @@ impl Builder<'_> {
 
     fn springs(&mut self, table: &str, given: &SpringsFormat, slices: usize) -> Springs {
         match given {
-            SpringsFormat::Rigid(_) => Springs::Rigid,
+            SpringsFormat::Rigid(_) | SpringsFormat::Lumped(_) => Springs::Rigid,
             SpringsFormat::Beam(beam) => {
                 let clamped = [beam.head, beam.nut].map(|end| end == EndFormat::Clamped);
                 if slices == 2 && clamped == [false; 2] {

@@ -11,13 +11,14 @@ pub(crate) struct FastenerFormat {
     pub(crate) springs: SpringsFormat,
 }
 
-/// `springs.rigid`, `springs.beam` or `springs.given`.
+/// `springs.rigid`, `springs.beam`, `springs.given` or `springs.lumped`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum SpringsFormat {
     Rigid(RigidFormat),
     Beam(BeamFormat),
     Given(GivenFormat),
+    Lumped(LumpedFormat),
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -46,4 +47,31 @@ pub(crate) enum EndFormat {
 pub(crate) struct GivenFormat {
     pub(crate) force: Quantity<Force>,
     pub(crate) displacements: Vec<Quantity<Length>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LumpedFormat {
+    pub(crate) formula: FormulaFormat,
+    pub(crate) joint: Option<JointFormat>,
+    pub(crate) force: Quantity<Force>,
+    pub(crate) resolved: Quantity<Length>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum FormulaFormat {
+    Huth,
+    Boeing,
+    Swift,
+    Grumman,
+    TateRosenfeld,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum JointFormat {
+    BoltedMetal,
+    RivetedMetal,
+    BoltedComposite,
 }

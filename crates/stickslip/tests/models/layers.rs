@@ -1,5 +1,6 @@
 //! Plates in several layers, joined by fasteners whose slices springs couple.
 
+mod lumped;
 mod rows;
 
 use std::fmt::Write as _;
