@@ -1,7 +1,7 @@
 //! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
 //! what accuracy costs, `cargo xtask accuracy` how often stated errors hold the truth, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
 //! `cargo xtask shear-sign` which way friction points along a loaded hole, `cargo xtask mesh-dependence` what ply discount makes of a
-//! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements, `cargo xtask
+//! finer mesh, `cargo xtask load-shares` how rows of bolts share their load beside springs and bars, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements, `cargo xtask
 //! closed-loop` how often friction from fringe pictures lies in its interval, `cargo xtask torture` what random cases break,
 //! `cargo xtask size` how long the code is, `cargo xtask docs` writes the tables of keys, `cargo xtask gallery` pictures of shipped scenes, `cargo xtask same-answers` whether results are those of an
 //! earlier revision, `cargo xtask wasm` whether a WebAssembly runtime finds the same numbers.
@@ -13,6 +13,8 @@ mod cosine;
 mod docs;
 mod gallery;
 mod hybrid_noise;
+mod joints;
+mod load_shares;
 mod mesh_dependence;
 mod publish;
 mod same_answers;
@@ -53,6 +55,8 @@ enum Task {
     Cosine(publish::Options),
     /// Asks which friction laws reverse the shear on the edge of a pin-loaded hole, and where matrix cracks are to be expected.
     ShearSign(publish::Options),
+    /// Compares how rows of bolts share their load with springs and bars, and with formulas for the springs.
+    LoadShares(publish::Options),
     /// Charts noise and bias of edge stresses from measured displacements, by data density, mesh, smoothing and stand-off.
     HybridNoise(publish::Options),
     /// Shows how the strength by ply discount depends on the mesh, and what crack bands mend.
@@ -91,6 +95,7 @@ fn main() -> ExitCode {
         Task::ClosedLoop(options) => closed_loop::STUDY.main(&options),
         Task::Cosine(options) => cosine::STUDY.main(&options),
         Task::ShearSign(options) => shear_sign::STUDY.main(&options),
+        Task::LoadShares(options) => load_shares::STUDY.main(&options),
         Task::HybridNoise(options) => hybrid_noise::STUDY.main(&options),
         Task::MeshDependence(options) => mesh_dependence::STUDY.main(&options),
         Task::SameAnswers(options) => same_answers::main(&options),

@@ -203,6 +203,7 @@ mod tests {
             crate::closed_loop::STUDY,
             crate::cosine::STUDY,
             crate::hybrid_noise::STUDY,
+            crate::load_shares::STUDY,
             crate::mesh_dependence::STUDY,
             crate::shear_sign::STUDY,
         ];

@@ -33,6 +33,7 @@ mod punch;
 mod region_cost;
 mod render;
 mod rigid_pin;
+mod rows;
 mod sensitivity;
 mod shear_sign;
 mod stated_errors;
@@ -70,7 +71,7 @@ pub(crate) struct Options {
 type Checker = fn(&Laboratory) -> Result<Vec<Check>, TaskError>;
 
 /// What makes the checks of each case, in the order of `cases.toml`.
-const CHECKERS: [(&str, Checker); 28] = [
+const CHECKERS: [(&str, Checker); 29] = [
     ("elements", elements::checks),
     ("open-hole", open_hole::checks),
     ("cosine-load", cosine_load::checks),
@@ -91,6 +92,7 @@ const CHECKERS: [(&str, Checker); 28] = [
     ("rigid-pin-friction", rigid_pin::frictional),
     ("pin-orthotropic", pins::orthotropic),
     ("lugs", lugs::checks),
+    ("rows", rows::checks),
     ("press-fit", press_fit::checks),
     ("interference", pins::interference),
     ("aluminium-frictionless", aluminium::frictionless),

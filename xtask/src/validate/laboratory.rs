@@ -1,12 +1,13 @@
 //! Runs scenes, with or without a deliberate mistake, and keeps the worst residuals.
 
 use std::cell::RefCell;
+use std::path::Path;
 use std::time::Instant;
 
 use stickslip::host::HOST;
 use stickslip::results::Results;
 use stickslip::run::{RunError, run_with};
-use stickslip::scene::Scene;
+use stickslip::scene::{Format, Scene};
 use stickslip_contact::ContactError;
 use thiserror::Error;
 
@@ -113,7 +114,6 @@ impl Laboratory {
 
     /// Runs `scenes/{name}.toml` with `overrides`.
     pub(crate) fn run(&self, name: &str, overrides: &[String]) -> Result<Results, TaskError> {
-        let start = Instant::now();
         let mesh = overrides
             .iter()
             .filter_map(|text| text.strip_prefix("mesh."));
@@ -123,7 +123,17 @@ impl Laboratory {
             .join(" ")
             .replace('"', "");
         let path = root().join("scenes").join(format!("{name}.toml"));
-        let mut scene = Scene::from_file(&path, overrides, HOST)?;
+        self.solved(Scene::from_file(&path, overrides, HOST)?, label)
+    }
+
+    /// Runs the scene `text`, which messages call `name`.
+    pub(crate) fn run_text(&self, name: &str, text: &str) -> Result<Results, TaskError> {
+        let scene = Scene::from_text(text, Format::Toml, name, Path::new(""), &[] as &[&str])?;
+        self.solved(scene, name.to_owned())
+    }
+
+    fn solved(&self, mut scene: Scene, label: String) -> Result<Results, TaskError> {
+        let start = Instant::now();
         self.mutation.change_laws(&mut scene)?;
         let solver = self.mutation.solver(&scene);
         let outcome = run_with(&scene, solver.as_ref(), &mut |_| {});

@@ -19,6 +19,7 @@ mod patterns;
 mod remarks;
 mod series;
 mod several;
+mod sharing;
 mod springs;
 mod stated;
 mod travel;
