@@ -7,9 +7,10 @@
 //! C (f_k+1 − f_k) + B_middle (P − S_k) − B_outer S_k = 0,    S_k = Σ_≤k f,    S_n = P
 //! ```
 //!
-//! C is that of a joint of one bolt, less its bars, or by a formula ([`formulas`]).
+//! C is that of a joint of one bolt, less its bars, or by a formula ([`formulas`]). Bars that know of their holes are in [`holes`].
 
 mod formulas;
+mod holes;
 
 use nalgebra::{DMatrix, DVector};
 use stickslip::run::run;
@@ -132,8 +133,15 @@ fn shares(case: &Table, models: &[(&str, f64)]) -> Result<Vec<Table>, TaskError>
             row
         })
         .collect();
-    for &(name, spring) in models {
-        let parts = classical(count, spring, bars(pitch)).ok_or("the springs have no answer")?;
+    let bars = |spring: f64| classical(count, spring, bars(pitch));
+    let mut found: Vec<(&str, Option<Vec<f64>>)> = models
+        .iter()
+        .map(|(name, spring)| (*name, bars(*spring)))
+        .collect();
+    let measured = models.first().map_or(0.0, |(_, spring)| *spring);
+    found.push(("holes", holes::shares(count, pitch, measured)));
+    for (name, parts) in found {
+        let parts = parts.ok_or("the springs have no answer")?;
         let apart = parts.iter().zip(&forces);
         let apart = apart.map(|(part, force)| (part - force / LOAD).abs());
         let apart = 100.0 * apart.fold(0.0, f64::max);
