@@ -123,27 +123,27 @@ impl Laboratory {
             .join(" ")
             .replace('"', "");
         let path = root().join("scenes").join(format!("{name}.toml"));
-        self.solved(Scene::from_file(&path, overrides, HOST)?, label)
+        self.solved(Scene::from_file(&path, overrides, HOST)?, &label)
     }
 
     /// Runs the scene `text`, which messages call `name`.
     pub(crate) fn run_text(&self, name: &str, text: &str) -> Result<Results, TaskError> {
         let scene = Scene::from_text(text, Format::Toml, name, Path::new(""), &[] as &[&str])?;
-        self.solved(scene, name.to_owned())
+        self.solved(scene, name)
     }
 
-    fn solved(&self, mut scene: Scene, label: String) -> Result<Results, TaskError> {
+    fn solved(&self, mut scene: Scene, label: &str) -> Result<Results, TaskError> {
         let start = Instant::now();
         self.mutation.change_laws(&mut scene)?;
         let solver = self.mutation.solver(&scene);
         let outcome = run_with(&scene, solver.as_ref(), &mut |_| {});
         eprintln!("  {label}  {:.2} s", start.elapsed().as_secs_f64());
         let stopped = |cause| Stopped {
-            scene: label.clone(),
+            scene: label.to_owned(),
             cause,
         };
         let results = outcome.map_err(stopped)?;
-        self.keep_residuals(&results, &label);
+        self.keep_residuals(&results, label);
         Ok(results)
     }
 
