@@ -1,5 +1,7 @@
 //! Springs from a formula for a whole fastener, less what contact resolves of it.
 
+use stickslip_text::significant;
+
 use super::fasteners::Slice;
 use super::{Builder, Materials};
 use crate::document::child;
@@ -44,9 +46,11 @@ impl Builder<'_> {
         let left = whole - resolved / force;
         if left < 0.0 {
             let message = format!(
-                "contact resolves {resolved} mm at {force} N, and the formula of {} has only {:.5} mm for the whole fastener",
+                "contact resolves {} mm at {} N, and the formula of {} has only {} mm for the whole fastener",
+                significant(resolved, 4),
+                significant(force, 4),
                 formula.authors(),
-                whole * force
+                significant(whole * force, 4)
             );
             let remedy = "nothing is left for the springs: take springs.beam, or springs.rigid";
             self.conflict(&child(&key, "resolved"), message, remedy);
