@@ -7,16 +7,16 @@ use std::f64::consts::PI;
 
 use stickslip_fem_core::generate::{Extent, Generate, uniform_angles};
 use stickslip_fem_core::mesh::Mesh;
-use stickslip_mesher::{Contour, ContourMesh, Division, Hole, Piece, quality};
+use stickslip_mesher::{Contour, ContourMesh, Course, Division, Hole, Piece, quality};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let line = |name: &str, to| Piece {
         name: name.into(),
         to,
-        through: None,
+        course: Course::Line,
     };
     let end = Piece {
-        through: Some([1.0, 0.0]),
+        course: Course::Arc([1.0, 0.0]),
         ..line("end", [0.0, 1.0])
     };
     let contour = Contour {

@@ -1,11 +1,12 @@
-//! Outlines of straight lines and arcs, with cut-outs of the same and circular holes.
+//! Outlines of straight lines, arcs and splines, with cut-outs of the same and circular holes.
 
 mod check;
 mod inside;
 
 use stickslip_fem_core::mesh::Point;
 
-use crate::curve::Track;
+use crate::course::Course;
+use crate::curve::{NoTrack, Track};
 use crate::vector::{NOWHERE, grown};
 
 pub(crate) use check::{TOLERANCE, checked};
@@ -17,8 +18,8 @@ pub struct Piece {
     pub name: String,
     /// Its end `[length]`.
     pub to: Point,
-    /// A point between the ends of an arc `[length]`; `None` is a straight line.
-    pub through: Option<Point>,
+    /// Its way there.
+    pub course: Course,
 }
 
 /// A circular hole.
@@ -36,7 +37,7 @@ pub struct Hole {
     pub layers: Option<usize>,
 }
 
-/// A closed loop of lines and arcs inside the outline, with the body around it.
+/// A closed loop of lines, arcs and splines inside the outline, with the body around it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cutout {
     /// Its name in errors.
@@ -61,14 +62,14 @@ pub struct Contour {
 }
 
 impl Contour {
-    /// Smallest and largest corner of the box around the outline `[length]`; arcs that three points do not define count as lines.
+    /// Smallest and largest corner of the box around the outline `[length]`; arcs and splines that their points do not define count as lines.
     pub fn bounds(&self) -> [Point; 2] {
         let box_of = |all: [Point; 2], track: &Track| {
             let [low, high] = track.bounds();
             grown(grown(all, low), high)
         };
         let tracks = self.outline().tracks();
-        let lines = tracks.map(|(_, track)| track.unwrap_or_else(|line| line));
+        let lines = tracks.map(|(_, line, track)| track.unwrap_or(line));
         lines.fold(grown(NOWHERE, self.start), |all, track| box_of(all, &track))
     }
 
@@ -106,16 +107,12 @@ impl<'a> Loop<'a> {
         self.cutout.map(str::to_owned)
     }
 
-    /// Each piece with its track; where three points make no arc, the line between its ends is the error.
-    fn tracks(self) -> impl Iterator<Item = (&'a Piece, Result<Track, Track>)> {
+    /// Each piece with the line between its ends and its track.
+    fn tracks(self) -> impl Iterator<Item = (&'a Piece, Track, Result<Track, NoTrack>)> {
         let begins = std::iter::once(self.start).chain(self.pieces.iter().map(|piece| piece.to));
         self.pieces.iter().zip(begins).map(|(piece, from)| {
-            let line = || Track::line(from, piece.to);
-            let track = match piece.through {
-                Some(through) => Track::arc(from, through, piece.to).ok_or_else(line),
-                None => Ok(line()),
-            };
-            (piece, track)
+            let track = Track::new(from, &piece.course, piece.to);
+            (piece, Track::line(from, piece.to), track)
         })
     }
 }

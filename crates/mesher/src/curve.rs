@@ -1,10 +1,14 @@
-//! Straight lines and arcs by arc length.
+//! Straight lines, arcs and splines by arc length.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use stickslip_fem_core::generate::unit_vector;
 use stickslip_fem_core::mesh::{Curve, Point};
 
+use crate::course::Course;
+use crate::cubic::Cubic;
+use crate::error::{ContourError, SplineFlaw};
+use crate::spline::{Run, plain_cubics};
 use crate::vector::{
     NOWHERE, along, circumcircle, cross, distance, dot, grown, middle, minus, orient,
 };
@@ -18,28 +22,78 @@ pub(crate) struct Track {
     pub(crate) from: Point,
     pub(crate) to: Point,
     length: f64,
-    bend: Option<Bend>,
+    form: Form,
+}
+
+#[derive(Clone, Debug)]
+enum Form {
+    Line,
+    Arc(Bend),
+    Spline(Run),
 }
 
 /// The circle of an arc.
 #[derive(Clone, Copy, Debug)]
-struct Bend {
-    centre: Point,
-    radius: f64,
+pub(crate) struct Bend {
+    pub(crate) centre: Point,
+    pub(crate) radius: f64,
     /// Direction of `from` seen from the centre `[rad]`.
-    start: f64,
+    pub(crate) start: f64,
     /// Angle from there to `to` `[rad]`, positive counter-clockwise.
-    sweep: f64,
+    pub(crate) sweep: f64,
+}
+
+/// Why two points and a course make no track.
+#[derive(Clone, Debug)]
+pub(crate) enum NoTrack {
+    /// Three points on a line.
+    Straight,
+    Spline(SplineFlaw),
+}
+
+impl NoTrack {
+    /// The error of the piece `piece`.
+    pub(crate) fn of(self, piece: &str) -> ContourError {
+        let piece = piece.to_owned();
+        match self {
+            Self::Straight => ContourError::StraightArc { piece },
+            Self::Spline(flaw) => ContourError::Spline { piece, flaw },
+        }
+    }
 }
 
 impl Track {
+    /// The way from `from` to `to`.
+    pub(crate) fn new(from: Point, course: &Course, to: Point) -> Result<Self, NoTrack> {
+        match course {
+            Course::Line => Ok(Self::line(from, to)),
+            Course::Arc(through) => Self::arc(from, *through, to).ok_or(NoTrack::Straight),
+            Course::Spline(own) => {
+                let cubics = plain_cubics(from, own, to).map_err(NoTrack::Spline)?;
+                Ok(Self::along(cubics))
+            }
+        }
+    }
+
+    /// The curve along plain cubics, each from the end of the one before, one at least.
+    pub(crate) fn along(cubics: Vec<Cubic>) -> Self {
+        let (from, to) = (cubics[0].0[0], cubics[cubics.len() - 1].0[3]);
+        let run = Run::of(cubics);
+        Self {
+            from,
+            to,
+            length: run.length(),
+            form: Form::Spline(run),
+        }
+    }
+
     pub(crate) fn line(from: Point, to: Point) -> Self {
         let length = distance(from, to);
         Self {
             from,
             to,
             length,
-            bend: None,
+            form: Form::Line,
         }
     }
 
@@ -60,7 +114,7 @@ impl Track {
         let start = direction(from);
         let ccw = (direction(to) - start).rem_euclid(TAU);
         let sweep = if turn > 0.0 { ccw } else { ccw - TAU };
-        let bend = Some(Bend {
+        let form = Form::Arc(Bend {
             centre,
             radius,
             start,
@@ -71,8 +125,24 @@ impl Track {
             from,
             to,
             length,
-            bend,
+            form,
         })
+    }
+
+    /// The circle of an arc.
+    pub(crate) fn bend(&self) -> Option<&Bend> {
+        match &self.form {
+            Form::Arc(bend) => Some(bend),
+            _ => None,
+        }
+    }
+
+    /// The curve of a spline.
+    pub(crate) fn run(&self) -> Option<&Run> {
+        match &self.form {
+            Form::Spline(run) => Some(run),
+            _ => None,
+        }
     }
 
     /// Arc length `[length]`.
@@ -82,42 +152,53 @@ impl Track {
 
     /// Radius of an arc `[length]`.
     pub(crate) fn radius(&self) -> Option<f64> {
-        self.bend.map(|bend| bend.radius)
+        self.bend().map(|bend| bend.radius)
+    }
+
+    /// The plain parts of a spline; of lines and arcs none.
+    pub(crate) fn cubics(&self) -> impl Iterator<Item = &Cubic> {
+        self.run().into_iter().flat_map(Run::cubics)
     }
 
     /// Moves it by `by`.
     pub(crate) fn shift(&mut self, by: Point) {
         self.from = along(self.from, 1.0, by);
         self.to = along(self.to, 1.0, by);
-        if let Some(bend) = &mut self.bend {
-            bend.centre = along(bend.centre, 1.0, by);
+        match &mut self.form {
+            Form::Line => {}
+            Form::Arc(bend) => bend.centre = along(bend.centre, 1.0, by),
+            Form::Spline(run) => run.shift(by),
         }
     }
 
     /// Walks it the other way.
     pub(crate) fn reverse(&mut self) {
         std::mem::swap(&mut self.from, &mut self.to);
-        if let Some(bend) = &mut self.bend {
-            bend.start += bend.sweep;
-            bend.sweep = -bend.sweep;
+        match &mut self.form {
+            Form::Line => {}
+            Form::Arc(bend) => {
+                bend.start += bend.sweep;
+                bend.sweep = -bend.sweep;
+            }
+            Form::Spline(run) => run.reverse(),
         }
     }
 
-    /// Centre of an arc.
-    pub(crate) fn centre(&self) -> Option<Point> {
-        self.bend.map(|bend| bend.centre)
-    }
-
-    /// Angle by which the walk turns `[rad]`, positive counter-clockwise.
+    /// Sum of the angles by which the walk turns to either side `[rad]`.
     pub(crate) fn turn(&self) -> f64 {
-        self.bend.map_or(0.0, |bend| bend.sweep)
+        match &self.form {
+            Form::Line => 0.0,
+            Form::Arc(bend) => bend.sweep.abs(),
+            Form::Spline(run) => run.turn(),
+        }
     }
 
-    /// The exact geometry for an edge set.
-    pub(crate) fn curve(&self) -> Curve {
-        match self.bend {
-            Some(Bend { centre, radius, .. }) => Curve::Arc { centre, radius },
-            None => Curve::Line,
+    /// The exact geometry for an edge set; a spline has none there.
+    pub(crate) fn curve(&self) -> Option<Curve> {
+        match self.form {
+            Form::Line => Some(Curve::Line),
+            Form::Arc(Bend { centre, radius, .. }) => Some(Curve::Arc { centre, radius }),
+            Form::Spline(_) => None,
         }
     }
 
@@ -130,39 +211,46 @@ impl Track {
             return self.to;
         }
         let t = s / self.length;
-        match self.bend {
-            Some(b) => along(b.centre, b.radius, unit_vector(b.start + t * b.sweep)),
-            None => [0, 1].map(|c| {
+        match &self.form {
+            Form::Arc(b) => along(b.centre, b.radius, unit_vector(b.start + t * b.sweep)),
+            Form::Line => [0, 1].map(|c| {
                 let (a, b) = (self.from[c], self.to[c]);
                 if a == b { a } else { (1.0 - t) * a + t * b }
             }),
+            Form::Spline(run) => run.at(s),
         }
     }
 
     /// Unit vectors along the walk at its beginning and end.
     pub(crate) fn tangents(&self) -> [Point; 2] {
-        match self.bend {
-            Some(b) => [b.start, b.start + b.sweep]
+        match &self.form {
+            Form::Arc(b) => [b.start, b.start + b.sweep]
                 .map(|angle| unit_vector(angle + FRAC_PI_2.copysign(b.sweep))),
-            None => [minus(self.to, self.from).map(|c| c / self.length); 2],
+            Form::Line => [minus(self.to, self.from).map(|c| c / self.length); 2],
+            Form::Spline(run) => [0.0, self.length].map(|s| run.tangent(s)),
         }
     }
 
-    /// Arc length from the beginning (or from the end) to where the distance from that end is `chord`, which is at most the
+    /// Arc length from the place `at`, or back from it, to where the distance from there is `chord`, which is at most the
     /// length of a line or the diameter of an arc.
-    pub(crate) fn chord_to_length(&self, chord: f64) -> f64 {
-        match self.bend {
-            Some(b) => 2.0 * b.radius * (chord / (2.0 * b.radius)).min(1.0).asin(),
-            None => chord,
+    pub(crate) fn chord_to_length(&self, chord: f64, at: f64, is_back: bool) -> f64 {
+        match &self.form {
+            Form::Arc(b) => 2.0 * b.radius * (chord / (2.0 * b.radius)).min(1.0).asin(),
+            Form::Line => chord,
+            Form::Spline(run) => run.chord_to_length(chord, at, is_back),
         }
     }
 
     /// The nearest point of the track.
     pub(crate) fn nearest(&self, point: Point) -> Point {
-        let Some(b) = self.bend else {
-            let d = minus(self.to, self.from);
-            let t = dot(minus(point, self.from), d) / (self.length * self.length);
-            return self.at(t.clamp(0.0, 1.0) * self.length);
+        let b = match &self.form {
+            Form::Line => {
+                let d = minus(self.to, self.from);
+                let t = dot(minus(point, self.from), d) / (self.length * self.length);
+                return self.at(t.clamp(0.0, 1.0) * self.length);
+            }
+            Form::Arc(bend) => bend,
+            Form::Spline(run) => return run.nearest(point),
         };
         let v = minus(point, b.centre);
         let r = v[0].hypot(v[1]);
@@ -177,13 +265,20 @@ impl Track {
 
     /// Distance of a point from the track `[length]`.
     pub(crate) fn distance(&self, point: Point) -> f64 {
-        distance(self.nearest(point), point)
+        match &self.form {
+            Form::Spline(run) => run.distance(point),
+            _ => distance(self.nearest(point), point),
+        }
     }
 
     /// Box around the track.
     pub(crate) fn bounds(&self) -> [Point; 2] {
         let ends = grown(grown(NOWHERE, self.from), self.to);
-        let Some(b) = self.bend else { return ends };
+        let b = match &self.form {
+            Form::Line => return ends,
+            Form::Arc(bend) => bend,
+            Form::Spline(run) => return run.bounds(),
+        };
         let extremes = (0..4).map(|k| unit_vector(f64::from(k) * FRAC_PI_2));
         extremes
             .filter(|&direction| b.holds(direction))
@@ -195,7 +290,11 @@ impl Track {
     /// ½ ∮ x × dx of the track about `origin` `[length²]`.
     pub(crate) fn area(&self, origin: Point) -> f64 {
         let chord = cross(minus(self.from, origin), minus(self.to, origin)) / 2.0;
-        let Some(b) = self.bend else { return chord };
+        let b = match &self.form {
+            Form::Line => return chord,
+            Form::Arc(bend) => bend,
+            Form::Spline(run) => return run.area(origin),
+        };
         chord + b.radius * b.radius * (b.sweep - b.sweep.sin()) / 2.0
     }
 
@@ -203,7 +302,11 @@ impl Track {
     pub(crate) fn winding(&self, point: Point) -> f64 {
         let (u, v) = (minus(self.from, point), minus(self.to, point));
         let chord = cross(u, v).atan2(dot(u, v));
-        let Some(b) = self.bend else { return chord };
+        let b = match &self.form {
+            Form::Line => return chord,
+            Form::Arc(bend) => bend,
+            Form::Spline(run) => return run.winding(point),
+        };
         if distance(point, b.centre) >= b.radius {
             return chord;
         }
@@ -213,21 +316,21 @@ impl Track {
 
     /// Whether both lie on one line or one circle, to `tolerance` `[length]`.
     pub(crate) fn continues(&self, other: &Self, tolerance: f64) -> bool {
-        match (self.bend, other.bend) {
-            (Some(a), Some(b)) => {
+        match (&self.form, &other.form) {
+            (Form::Arc(a), Form::Arc(b)) => {
                 distance(a.centre, b.centre) <= tolerance
                     && (a.radius - b.radius).abs() <= tolerance
             }
-            (None, None) => [other.from, other.to]
+            (Form::Line, Form::Line) => [other.from, other.to]
                 .into_iter()
                 .all(|p| orient(self.from, self.to, p).abs() <= tolerance * self.length),
             _ => false,
         }
     }
 
-    /// Points where the two tracks meet, to `tolerance` `[length]`.
+    /// Points where two lines or arcs meet, to `tolerance` `[length]`.
     pub(crate) fn meetings(&self, other: &Self, tolerance: f64) -> Vec<Point> {
-        let mut points = match (self.bend, other.bend) {
+        let mut points = match (self.bend(), other.bend()) {
             (None, None) => lines(self, other),
             (Some(b), None) => line_circle(other, b),
             (None, Some(b)) => line_circle(self, b),
@@ -259,7 +362,7 @@ fn lines(a: &Track, b: &Track) -> Vec<Point> {
 }
 
 /// Where an infinite line crosses a circle, or comes nearest to its centre.
-fn line_circle(line: &Track, b: Bend) -> Vec<Point> {
+fn line_circle(line: &Track, b: &Bend) -> Vec<Point> {
     let u = line.tangents()[0];
     let t = dot(minus(b.centre, line.from), u);
     let foot = along(line.from, t, u);
@@ -270,7 +373,7 @@ fn line_circle(line: &Track, b: Bend) -> Vec<Point> {
 }
 
 /// Where two circles cross, or come nearest to each other.
-fn circles(a: Bend, b: Bend) -> Vec<Point> {
+fn circles(a: &Bend, b: &Bend) -> Vec<Point> {
     let d = distance(a.centre, b.centre);
     if d == 0.0 {
         return Vec::new();

@@ -247,8 +247,11 @@ impl Boundary {
             return Ok(());
         }
         let (track, [begin, end]) = link.track(plan);
-        let [first, last] =
-            corners.map(|edge| edge.map_or(0.0, |chord| track.chord_to_length(chord)));
+        let first_edge = |edge: Option<f64>, at: f64, is_back: bool| {
+            edge.map_or(0.0, |chord| track.chord_to_length(chord, at, is_back))
+        };
+        let first = first_edge(corners[0], begin, false);
+        let last = first_edge(corners[1], end, true);
         let (from, to) = (begin + first, end - last);
         let mut places = vec![from];
         places.extend(plan.divided(&track, [from, to], limit)?);

@@ -77,6 +77,14 @@ pub enum ContourError {
         /// Name of the piece.
         piece: String,
     },
+    /// A spline whose points make no curve.
+    #[error("spline '{piece}' {flaw}")]
+    Spline {
+        /// Name of the piece.
+        piece: String,
+        /// What is wrong with it.
+        flaw: SplineFlaw,
+    },
     /// Pieces in the wrong order.
     #[error(
         "{} is clockwise (its signed area is {area}); reverse the order of its edges",
@@ -283,6 +291,48 @@ impl ContourError {
         }
         self
     }
+}
+
+/// Why points make no spline that bounds a body.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum SplineFlaw {
+    /// Its ends alone.
+    #[error("has no point between its ends")]
+    NoPoint,
+    /// More points than its checks are made for.
+    #[error("has {count} points between its ends, {most} at most are possible")]
+    TooManyPoints {
+        /// How many there are.
+        count: usize,
+        /// How many are possible.
+        most: usize,
+    },
+    /// Neighbours at one place.
+    #[error("passes ({:.6}, {:.6}) twice in a row", at[0], at[1])]
+    RepeatedPoint {
+        /// Where they are `[length]`.
+        at: Point,
+    },
+    /// A turn that its points do not resolve.
+    #[error(
+        "turns with a radius of {radius:.3e} near ({:.6}, {:.6}), between points that are {chord:.6} apart",
+        at[0], at[1]
+    )]
+    Tight {
+        /// About where `[length]`.
+        at: Point,
+        /// The radius of curvature `[length]`.
+        radius: f64,
+        /// Distance between the two points beside it `[length]`.
+        chord: f64,
+    },
+    /// A loop.
+    #[error("meets itself near ({:.6}, {:.6})", at[0], at[1])]
+    Meets {
+        /// About where `[length]`.
+        at: Point,
+    },
 }
 
 /// What a message calls a loop.

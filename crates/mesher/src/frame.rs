@@ -14,6 +14,7 @@ use stickslip_fem_core::mesh::Point;
 
 use crate::Division;
 use crate::contour::{Hole, TOLERANCE};
+use crate::cubic::Cubic;
 use crate::curve::Track;
 use crate::outline::Outline;
 use crate::plan::Plan;
@@ -51,6 +52,8 @@ struct Part {
     halfway: Point,
     /// By how many times its cells are smaller than the largest.
     refined: f64,
+    /// Of a spline, the control points of its plain parts.
+    cubics: Vec<[Point; 4]>,
     track: usize,
 }
 
@@ -183,6 +186,7 @@ impl Drawing {
                 ends: [own.from, own.to].map(place),
                 halfway: place(own.at(own.length() / 2.0)),
                 refined: refined.get(&outline.numbers[track]).copied().unwrap_or(1.0),
+                cubics: own.cubics().map(|cubic| cubic.0.map(place)).collect(),
                 track,
             }
         };
@@ -232,8 +236,9 @@ impl Drawing {
     fn key(&self) -> Vec<f64> {
         let parts = self.loops.iter().flatten();
         let lines = parts.flat_map(|part| {
+            let inside = part.cubics.as_flattened().as_flattened();
             let places = part.ends[0].into_iter().chain(part.halfway);
-            places.chain([part.refined])
+            places.chain([part.refined]).chain(inside.iter().copied())
         });
         let circles = self.eyes.iter().flat_map(|eye| {
             let angles = eye.angles.iter().map(|&(angle, _)| angle);
@@ -269,15 +274,27 @@ impl Part {
         if turn.mirrors() {
             ends.reverse();
         }
+        let cubics = self.cubics.iter();
+        let mut cubics: Vec<[Point; 4]> = cubics.map(|own| own.map(|at| turn.of(at))).collect();
+        if turn.mirrors() {
+            cubics.reverse();
+            for own in &mut cubics {
+                own.reverse();
+            }
+        }
         Self {
             ends,
             halfway: turn.of(self.halfway),
+            cubics,
             ..*self
         }
     }
 
     /// Its curve; an arc that the grid has made straight is a line.
     fn track(&self, was: &Outline) -> Track {
+        if !self.cubics.is_empty() {
+            return Track::along(self.cubics.iter().copied().map(Cubic).collect());
+        }
         let [from, to] = self.ends;
         let arc = was.tracks[self.track].radius().map(|_| self.halfway);
         arc.and_then(|halfway| Track::arc(from, halfway, to))

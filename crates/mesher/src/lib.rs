@@ -1,4 +1,4 @@
-//! Triangle meshes of plane bodies whose outline is made of straight lines and circular arcs, with cut-outs of the same and circular
+//! Triangle meshes of plane bodies whose outline is made of straight lines, circular arcs and splines, with cut-outs of the same and circular
 //! holes anywhere in it.
 //!
 //! A size function rules the cells,
@@ -7,7 +7,7 @@
 //! h(x) = min over sources s of (h_s + g |x − x_s|),
 //! ```
 //!
-//! with growth g and sources on holes, arcs, sharp and re-entrant corners, narrow gaps and walls, and edges that are to be finer.
+//! with growth g and sources on holes, arcs, splines, sharp and re-entrant corners, narrow gaps and walls, and edges that are to be finer.
 //!
 //! | step | result | source |
 //! | --- | --- | --- |
@@ -20,9 +20,9 @@
 //!
 //! ```
 //! use stickslip_fem_core::generate::{Extent, Generate, uniform_angles};
-//! use stickslip_mesher::{Contour, ContourMesh, Division, Hole, Piece};
+//! use stickslip_mesher::{Contour, ContourMesh, Course, Division, Hole, Piece};
 //!
-//! let line = |name: &str, to| Piece { name: name.into(), to, through: None };
+//! let line = |name: &str, to| Piece { name: name.into(), to, course: Course::Line };
 //! let contour = Contour {
 //!     start: [0.0, 0.0],
 //!     pieces: vec![
@@ -53,11 +53,14 @@
 mod assemble;
 mod contour;
 mod contour_mesh;
+mod course;
+mod cubic;
 mod curve;
 mod division;
 mod edges;
 mod error;
 mod frame;
+mod meet;
 mod outline;
 mod path;
 mod plan;
@@ -65,13 +68,15 @@ mod quality;
 mod ring;
 mod size;
 mod smooth;
+mod spline;
 mod symmetry;
 mod triangulate;
 mod vector;
 
 pub use contour::{Contour, Cutout, Hole, Piece};
 pub use contour_mesh::ContourMesh;
+pub use course::{Course, Spline};
 pub use division::Division;
-pub use error::ContourError;
+pub use error::{ContourError, SplineFlaw};
 pub use path::{Path, Stretch};
 pub use quality::{Quality, quality};

@@ -1,14 +1,15 @@
-//! Curves of several lines and arcs, one after another.
+//! Curves of several lines, arcs and splines, one after another.
 
 use stickslip_fem_core::mesh::Point;
 
+use crate::course::Course;
 use crate::curve::Track;
-use crate::vector::{cross, dot, minus};
+use crate::vector::{NOWHERE, cross, dot, grown, minus};
 
 /// Part of the length by which a place may lie beyond an end and still belong to the path.
 const END: f64 = 1e-9;
 
-/// An open curve of lines and arcs, walked with the arc length s `[length]`.
+/// An open curve of lines, arcs and splines, walked with the arc length s `[length]`.
 #[derive(Clone, Debug)]
 pub struct Path {
     /// Each with the arc length at its beginning.
@@ -16,26 +17,23 @@ pub struct Path {
     length: f64,
 }
 
-/// A line, or an arc through a third point, between two points `[length]`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A line, an arc or a spline between two points.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Stretch {
-    /// Its ends.
+    /// Its ends `[length]`.
     pub ends: [Point; 2],
-    /// A point between them, of an arc.
-    pub through: Option<Point>,
+    /// Its way between them.
+    pub course: Course,
 }
 
 impl Path {
-    /// The curve along `stretches`, each from the end of the one before; `None` without any, or with one that has no length or makes no arc.
+    /// The curve along `stretches`, each from the end of the one before; `None` without any, or with one that has no length or makes no arc or spline.
     pub fn new(stretches: &[Stretch]) -> Option<Self> {
         let mut length = 0.0;
         let mut tracks = Vec::with_capacity(stretches.len());
-        for &Stretch { ends, through } in stretches {
-            let [from, to] = ends;
-            let track = match through {
-                Some(through) => Track::arc(from, through, to)?,
-                None => Track::line(from, to),
-            };
+        for Stretch { ends, course } in stretches {
+            let [from, to] = *ends;
+            let track = Track::new(from, course, to).ok()?;
             let begin = length;
             length += track.length();
             if length <= begin {
@@ -53,16 +51,18 @@ impl Path {
 
     /// Sum of the angles by which it turns, to either side `[rad]`.
     pub fn turn(&self) -> f64 {
-        let along: f64 = self
-            .tracks
-            .iter()
-            .map(|(_, track)| track.turn().abs())
-            .sum();
+        let along: f64 = self.tracks.iter().map(|(_, track)| track.turn()).sum();
         let kinks = self.tracks.windows(2).map(|pair| {
             let ([_, before], [after, _]) = (pair[0].1.tangents(), pair[1].1.tangents());
             cross(before, after).atan2(dot(before, after)).abs()
         });
         along + kinks.sum::<f64>()
+    }
+
+    /// Smallest and largest corner of the box around it `[length]`.
+    pub fn bounds(&self) -> [Point; 2] {
+        let boxes = self.tracks.iter().map(|(_, track)| track.bounds());
+        boxes.fold(NOWHERE, |all, [low, high]| grown(grown(all, low), high))
     }
 
     /// Arc lengths where one stretch ends and the next begins `[length]`.
@@ -127,11 +127,14 @@ impl Path {
 impl Track {
     /// Unit vector along the walk at arc length `s`.
     pub(crate) fn tangent(&self, s: f64) -> Point {
-        let along = match self.centre() {
+        if let Some(run) = self.run() {
+            return run.tangent(s);
+        }
+        let along = match self.bend() {
             None => minus(self.to, self.from),
-            Some(centre) => {
-                let [x, y] = minus(self.at(s), centre);
-                let turn = self.turn().signum();
+            Some(bend) => {
+                let [x, y] = minus(self.at(s), bend.centre);
+                let turn = bend.sweep.signum();
                 [-turn * y, turn * x]
             }
         };
@@ -141,28 +144,31 @@ impl Track {
 
     /// Arc length of the nearest point, and the distance.
     fn nearest_place(&self, point: Point) -> (f64, f64) {
+        if let Some(run) = self.run() {
+            return run.nearest_place(point);
+        }
         let nearest = self.nearest(point);
         (self.place(nearest), self.distance(point))
     }
 
-    /// Arc length of a point on it.
+    /// Arc length of a point on a line or an arc.
     fn place(&self, point: Point) -> f64 {
         let length = self.length();
-        let place = match self.centre() {
+        let place = match self.bend() {
             None => {
                 let along = minus(self.to, self.from);
                 dot(minus(point, self.from), along) / length
             }
-            Some(centre) => {
-                let (a, b) = (minus(self.from, centre), minus(point, centre));
-                let ahead = self.turn().signum() * cross(a, b).atan2(dot(a, b));
+            Some(bend) => {
+                let (a, b) = (minus(self.from, bend.centre), minus(point, bend.centre));
+                let ahead = bend.sweep.signum() * cross(a, b).atan2(dot(a, b));
                 // Beside its beginning an angle of rounding is no whole turn.
                 let turned = if ahead < -1e-9 {
                     ahead + std::f64::consts::TAU
                 } else {
                     ahead
                 };
-                turned * (length / self.turn().abs())
+                turned * (length / bend.sweep.abs())
             }
         };
         place.clamp(0.0, length)
@@ -175,15 +181,18 @@ impl Track {
         direction: Point,
         tolerance: f64,
     ) -> Vec<(f64, f64)> {
-        let ways = match self.centre() {
+        if let Some(run) = self.run() {
+            return run.crossings(from, direction, tolerance);
+        }
+        let ways = match self.bend() {
             None => {
                 let along = minus(self.to, self.from);
                 vec![cross(minus(self.from, from), along) / cross(direction, along)]
             }
-            Some(centre) => {
-                let to_centre = minus(centre, from);
+            Some(bend) => {
+                let to_centre = minus(bend.centre, from);
                 let (ahead, aside) = (dot(to_centre, direction), cross(direction, to_centre));
-                let radius = self.radius().unwrap_or_default();
+                let radius = bend.radius;
                 let half = ((radius - aside) * (radius + aside)).sqrt();
                 let [near, far] = [-1.0, 1.0].map(|side| {
                     let sum = ahead + side * half;
@@ -217,13 +226,13 @@ mod tests {
         let root = 2.0 * std::f64::consts::FRAC_1_SQRT_2;
         let arc = |ends, through| Stretch {
             ends,
-            through: Some(through),
+            course: Course::Arc(through),
         };
         Path::new(&[
             arc([[-3.0, 2.0], [-1.0, 0.0]], [-1.0 - root, 2.0 - root]),
             Stretch {
                 ends: [[-1.0, 0.0], [1.0, 0.0]],
-                through: None,
+                course: Course::Line,
             },
             arc([[1.0, 0.0], [3.0, 2.0]], [1.0 + root, 2.0 - root]),
         ])

@@ -70,6 +70,7 @@ impl Plan {
         let tolerance = 1e3 * self.outline.tolerance;
         own.all(|track| first.continues(track, tolerance))
             .then(|| first.curve())
+            .flatten()
     }
 
     /// About how many cells and corner nodes the mesh will have, rather more than fewer.
@@ -120,8 +121,8 @@ fn first_edge(outline: &Outline, k: usize, size: &mut Size) -> Option<f64> {
     let shorter = before.length().min(after.length());
     let edge = size.at(after.from).min(FIRST_EDGE * shorter);
     let ends = [
-        before.at(before.length() - before.chord_to_length(edge)),
-        after.at(after.chord_to_length(edge)),
+        before.at(before.length() - before.chord_to_length(edge, before.length(), true)),
+        after.at(after.chord_to_length(edge, 0.0, false)),
     ];
     size.add(&ends, distance(ends[0], ends[1]));
     Some(edge)

@@ -26,7 +26,7 @@ const ACROSS_NECK: f64 = 3.0;
 /// Size at a sharp or re-entrant corner over the shorter of its edges.
 const CORNER_SHARE: f64 = 0.25;
 
-/// Angle of an arc per cell `[rad]`.
+/// Angle of an arc or a spline per cell `[rad]`.
 const ARC_STEP: f64 = PI / 12.0;
 
 /// Inner angles below this are sharp `[rad]`.
@@ -80,6 +80,7 @@ impl Size {
             .collect();
         let corners = (0..outline.tracks.len()).flat_map(|k| corner(outline, k));
         clusters.extend(corners.filter(|c| c.least < cap));
+        clusters.extend(outline.tracks.iter().filter_map(|track| bends(track, cap)));
         clusters.extend(gaps(holes, outline, rings));
         clusters.extend(walls(outline, cap));
         Self {
@@ -161,6 +162,14 @@ fn corner(outline: &Outline, k: usize) -> Vec<Cluster> {
     let necks = others.map(|(_, track)| track.distance(at) / ACROSS_NECK);
     sources.push((at, necks.fold(f64::INFINITY, f64::min)));
     sources.into_iter().map(|s| Cluster::new(vec![s])).collect()
+}
+
+/// Sources along a spline where its curvature asks for them.
+fn bends(track: &Track, cap: f64) -> Option<Cluster> {
+    let radii = track.run()?.radii();
+    let sizes = radii.map(|(at, radius)| (at, ARC_STEP * radius));
+    let points: Vec<(Point, f64)> = sizes.filter(|&(_, size)| size < cap).collect();
+    (!points.is_empty()).then(|| Cluster::new(points))
 }
 
 /// Sources in the gaps between holes and what is nearest to them.

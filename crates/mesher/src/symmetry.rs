@@ -57,7 +57,8 @@ impl Mirror {
             let [from, halfway, to] = shape(&outline.tracks[k]).map(|p| mirrored(p, across));
             let own = *by_ends.get(&ends([to, halfway, from]))?;
             let fine = |track: usize| refined.get(&outline.numbers[track]);
-            let same = distance(shape(&outline.tracks[own])[1], halfway) < NEAR;
+            let same = distance(shape(&outline.tracks[own])[1], halfway) < NEAR
+                && are_images([own, k].map(|k| &outline.tracks[k]), across);
             (same && fine(own) == fine(k)).then_some(own)
         };
         Some(Self {
@@ -148,6 +149,20 @@ fn mirrored(mut point: Point, across: usize) -> Point {
     // Adding zero leaves no negative one.
     point[across] = 0.0 - point[across];
     point
+}
+
+/// Whether both are splines and mirror images, each walked against the other, or none of them is one.
+fn are_images([one, other]: [&Track; 2], across: usize) -> bool {
+    let points = |track: &Track| -> Vec<Point> {
+        let parts = track.cubics();
+        parts.flat_map(|own| own.0).collect()
+    };
+    let [one, other] = [points(one), points(other)];
+    let pairs = one.iter().zip(other.iter().rev());
+    one.len() == other.len()
+        && pairs
+            .into_iter()
+            .all(|(own, at)| distance(*own, mirrored(*at, across)) < NEAR)
 }
 
 /// The mirror image of a ring among all, and of its rays.

@@ -163,7 +163,7 @@ pub enum EdgeKind {
     },
     /// A line or shallow arc along x: `parameter` is x `[mm]`.
     Line,
-    /// Lines and arcs: `parameter` is the arc length s from the middle of the edge, with the body on the left of its walk `[mm]`.
+    /// Lines, arcs and splines: `parameter` is the arc length s from the middle of the edge, with the body on the left of its walk `[mm]`.
     Path,
 }
 

@@ -5,7 +5,7 @@
 //! | [`Strip`]        | `shape.plate_with_hole.outline.strip`  | a rectangular plate around a hole                 |
 //! | [`Ring`]         | `shape.plate_with_hole.outline.ring`   | a plate between two circles                       |
 //! | [`Disk`]         | `shape.disk`                           | a pin                                             |
-//! | [`Profile`]      | `shape.outline`                        | lines and arcs with any number of holes           |
+//! | [`Profile`]      | `shape.outline`                        | lines, arcs and splines with any number of holes  |
 //! | [`GivenMesh`]    | `shape.mesh`                           | cells of a file                                   |
 //! | [`Rectangle`]    | `shape.rectangle`                      | a coupon                                          |
 //! | [`Block`]        | `shape.block`                          | stands for the half-plane below a line contact    |

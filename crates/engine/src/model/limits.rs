@@ -91,7 +91,7 @@ fn reported(plan: &Plan<'_>, index: usize, edge: &Placed<'_, SetRef>) -> Result<
     }
     if own.is_some_and(|own| own.curve.path().is_none()) {
         let what = format!(
-            "{on} is neither a circle nor an open edge of known lines and arcs; give its parts names of their own"
+            "{on} is neither a circle nor an open edge of known lines, arcs and splines; give its parts names of their own"
         );
         return refuse(key, what);
     }

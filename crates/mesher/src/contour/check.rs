@@ -7,10 +7,11 @@ use stickslip_fem_core::mesh::Point;
 
 use super::inside::{apart, cutouts, inside};
 use super::{Contour, Hole, Loop};
-use crate::ContourError;
 use crate::curve::Track;
+use crate::meet;
 use crate::outline::Outline;
 use crate::vector::distance;
+use crate::{ContourError, Course, SplineFlaw};
 
 /// Distance below which points coincide, in units of the body's extent.
 pub(crate) const TOLERANCE: f64 = 1e-9;
@@ -21,6 +22,9 @@ const CORNER: f64 = 1e-6;
 
 /// Least angle inside and outside the body at a corner `[rad]`.
 const CUSP: f64 = 0.01;
+
+/// Most points between the ends of a spline, whose parts are compared with each other.
+const MOST_POINTS: usize = 1000;
 
 /// Fewest angles of a hole.
 const FEWEST_ANGLES: usize = 8;
@@ -95,8 +99,10 @@ fn numbers(contour: &Contour) -> Result<(), ContourError> {
     for piece in contour.loops().flat_map(|own| own.pieces) {
         let name = &piece.name;
         finite(&|| format!("end of edge '{name}'"), piece.to)?;
-        let through = piece.through.unwrap_or(piece.to);
-        finite(&|| format!("point on arc '{name}'"), through)?;
+        let (what, points) = piece.course.points();
+        for &at in points {
+            finite(&|| format!("{what} '{name}'"), at)?;
+        }
     }
     for hole in &contour.holes {
         let name = &hole.name;
@@ -163,18 +169,23 @@ fn resolved(contour: &Contour) -> Result<Outline, ContourError> {
 /// The named tracks of a loop, with a length each and the first beginning where the last ends.
 fn closed(own: Loop<'_>, tolerance: f64) -> Result<Vec<(String, Track)>, ContourError> {
     let mut tracks = Vec::new();
-    for (piece, track) in own.tracks() {
-        // A track as its own error is a line that stands for an arc.
-        let chord = track.as_ref().unwrap_or_else(|line| line);
-        if distance(chord.from, chord.to) <= tolerance {
+    for (piece, chord, track) in own.tracks() {
+        if chord.length() <= tolerance {
             return Err(ContourError::ZeroLength {
                 piece: piece.name.clone(),
                 at: piece.to,
             });
         }
-        let track = track.map_err(|_| ContourError::StraightArc {
-            piece: piece.name.clone(),
-        })?;
+        if let Course::Spline(own) = &piece.course
+            && own.points.len() > MOST_POINTS
+        {
+            let (count, most) = (own.points.len(), MOST_POINTS);
+            return Err(ContourError::Spline {
+                piece: piece.name.clone(),
+                flaw: SplineFlaw::TooManyPoints { count, most },
+            });
+        }
+        let track = track.map_err(|cause| cause.of(&piece.name))?;
         tracks.push((piece.name.clone(), track));
     }
     // There are at least two pieces.
@@ -213,6 +224,13 @@ fn corners(outline: &Outline) -> Result<(), ContourError> {
 fn crossings(outline: &Outline) -> Result<(), ContourError> {
     let tracks = &outline.tracks;
     for (i, a) in tracks.iter().enumerate() {
+        let crossing = a.run().and_then(|run| meet::itself(run, outline.tolerance));
+        if let Some(at) = crossing {
+            return Err(ContourError::Spline {
+                piece: outline.names[i].clone(),
+                flaw: SplineFlaw::Meets { at },
+            });
+        }
         for (j, b) in tracks.iter().enumerate().skip(i + 1) {
             let near = CORNER * a.length().min(b.length());
             let mut shared = Vec::new();
@@ -222,9 +240,15 @@ fn crossings(outline: &Outline) -> Result<(), ContourError> {
             if outline.before(i) == j {
                 shared.push(a.from);
             }
-            let meetings = a.meetings(b, outline.tolerance);
             let free = |p: &Point| shared.iter().all(|&corner| distance(corner, *p) > near);
-            if let Some(at) = meetings.into_iter().find(free) {
+            let meeting = if a.run().is_some() || b.run().is_some() {
+                let joints = [outline.before(j) == i, outline.before(i) == j];
+                meet::tracks([a, b], joints, outline.tolerance, |p| free(&p))
+            } else {
+                let meetings = a.meetings(b, outline.tolerance);
+                meetings.into_iter().find(free)
+            };
+            if let Some(at) = meeting {
                 return Err(ContourError::Crossing {
                     first: outline.names[i].clone(),
                     second: outline.names[j].clone(),

@@ -1,4 +1,4 @@
-//! Meshes of outlines of lines and arcs with circular holes.
+//! Meshes of outlines of lines, arcs and splines with circular holes.
 
 mod area;
 mod limits;
@@ -8,3 +8,4 @@ mod refusals;
 mod sets;
 mod shape;
 mod shapes;
+mod splines;

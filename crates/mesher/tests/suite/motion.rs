@@ -1,7 +1,7 @@
 //! Moved, turned and mirrored bodies.
 
 use stickslip_fem_core::mesh::{Curve, ElementKind, Mesh, Point};
-use stickslip_mesher::{Contour, ContourMesh, Division, Piece, quality};
+use stickslip_mesher::{Contour, ContourMesh, Course, Division, Piece, quality};
 
 use crate::area::area;
 use crate::shapes::{all, disk, lug, meshed};
@@ -21,7 +21,7 @@ fn mapped(
     }
     for piece in pieces {
         piece.to = point(piece.to);
-        piece.through = piece.through.map(&point);
+        piece.course = piece.course.mapped(&point, &angle);
     }
     for hole in &mut contour.holes {
         hole.centre = point(hole.centre);
@@ -40,6 +40,7 @@ fn turned_back(start: Point, pieces: &[Piece]) -> (Point, Vec<Piece>) {
     let count = pieces.len();
     let back = (0..count).rev().map(|k| Piece {
         to: if k == 0 { start } else { pieces[k - 1].to },
+        course: pieces[k].course.reversed(),
         ..pieces[k].clone()
     });
     (pieces[count - 1].to, back.collect())
@@ -206,7 +207,7 @@ fn acute_kite() -> Contour {
     let line = |name: &str, to| Piece {
         name: name.into(),
         to,
-        through: None,
+        course: Course::Line,
     };
     let half = (20.0_f64).to_radians().tan();
     Contour {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use stickslip_fem_core::generate::{Generate, GenerateError};
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_mesher::{Contour, ContourError, ContourMesh, Cutout, Division};
+use stickslip_mesher::{Contour, ContourError, ContourMesh, Course, Cutout, Division};
 
 use crate::shapes::{arc, cutout, hole, line, polygon, rectangle, slot, strip};
 
@@ -84,7 +84,7 @@ fn lengths_and_closure() {
     );
     for through in [[8.0, 1.0], [8.0, 0.0], [8.0, 3.0]] {
         let mut contour = strip();
-        contour.pieces[1].through = Some(through);
+        contour.pieces[1].course = Course::Arc(through);
         assert!(
             matches!(refused(&contour), ContourError::StraightArc { piece } if piece == "right")
         );

@@ -66,7 +66,12 @@ fn nodes_lie_on_the_exact_curve() {
                 .iter()
                 .flat_map(|&edge| mesh.edge_nodes(edge).walk());
             let points: Vec<Point> = nodes.map(|n| mesh.nodes()[n]).collect();
-            match set.curve.expect("an exact curve") {
+            // Splines have tests of their own.
+            let Some(curve) = set.curve else {
+                assert_eq!(name, "crowned");
+                continue;
+            };
+            match curve {
                 Curve::Arc { centre, radius } => {
                     let off = |p: &Point| (p[0] - centre[0]).hypot(p[1] - centre[1]) - radius;
                     assert!(points.iter().all(|p| off(p).abs() < 1e-13 * 10.0), "{name}");

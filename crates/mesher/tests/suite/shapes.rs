@@ -4,13 +4,13 @@ use std::f64::consts::PI;
 
 use stickslip_fem_core::generate::{Extent, uniform_angles};
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
-use stickslip_mesher::{Contour, ContourMesh, Cutout, Division, Hole, Piece};
+use stickslip_mesher::{Contour, ContourMesh, Course, Cutout, Division, Hole, Piece, Spline};
 
 pub(crate) fn line(name: &str, to: Point) -> Piece {
     Piece {
         name: name.into(),
         to,
-        through: None,
+        course: Course::Line,
     }
 }
 
@@ -18,7 +18,18 @@ pub(crate) fn arc(name: &str, through: Point, to: Point) -> Piece {
     Piece {
         name: name.into(),
         to,
-        through: Some(through),
+        course: Course::Arc(through),
+    }
+}
+
+pub(crate) fn spline(name: &str, points: &[Point], to: Point) -> Piece {
+    Piece {
+        name: name.into(),
+        to,
+        course: Course::Spline(Spline {
+            points: points.to_vec(),
+            ..Spline::default()
+        }),
     }
 }
 
@@ -232,6 +243,58 @@ pub(crate) fn disk() -> Contour {
     }
 }
 
+/// A block of 8 by 3 with a crown above it that goes on smoothly from its flat ends, and a cut-out that is an egg of two splines.
+pub(crate) fn crowned() -> Contour {
+    let egg = |k: f64| {
+        let (sin, cos) = (PI * k / 4.0).sin_cos();
+        [4.0 + 1.2 * cos + 0.2 * sin * sin, 1.25 + 0.5 * sin]
+    };
+    let smooth = |name: &str, points: Vec<Point>, to: Point, ends: [f64; 2]| Piece {
+        name: name.into(),
+        to,
+        course: Course::Spline(Spline {
+            points,
+            leaves: Some(ends[0]),
+            arrives: Some(ends[1]),
+        }),
+    };
+    Contour {
+        start: [0.0, 0.0],
+        pieces: vec![
+            line("bottom", [8.0, 0.0]),
+            line("right", [8.0, 2.0]),
+            line("flat right", [7.0, 2.0]),
+            smooth(
+                "crown",
+                vec![[5.5, 2.5], [4.0, 3.0], [2.5, 2.5]],
+                [1.0, 2.0],
+                [PI, PI],
+            ),
+            line("flat left", [0.0, 2.0]),
+            line("left", [0.0, 0.0]),
+        ],
+        cutouts: vec![cutout(
+            "egg",
+            egg(0.0),
+            vec![
+                smooth(
+                    "above",
+                    [1.0, 2.0, 3.0].map(egg).to_vec(),
+                    egg(4.0),
+                    [0.5 * PI, 1.5 * PI],
+                ),
+                smooth(
+                    "below",
+                    [5.0, 6.0, 7.0].map(egg).to_vec(),
+                    egg(0.0),
+                    [-0.5 * PI, 0.5 * PI],
+                ),
+            ],
+        )],
+        holes: Vec::new(),
+    }
+}
+
 /// All bodies without acute corners, by name.
 pub(crate) fn all() -> Vec<(&'static str, Contour)> {
     vec![
@@ -245,6 +308,7 @@ pub(crate) fn all() -> Vec<(&'static str, Contour)> {
         ("notched", notched()),
         ("slotted", slotted()),
         ("disk", disk()),
+        ("crowned", crowned()),
     ]
 }
 

@@ -33,6 +33,10 @@ pub(super) fn move_edges(edges: &mut Value, steps: &[(usize, &Quantity<Length>)]
                 move_place(place, steps);
             }
         }
+        let points = edge.get_mut("spline").and_then(Value::as_array_mut);
+        for place in points.into_iter().flatten() {
+            move_place(place, steps);
+        }
         if let Some(Value::String(name)) = edge.get_mut("name") {
             *name = named(name, cell);
         }

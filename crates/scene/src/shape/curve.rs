@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_mesher as mesher;
-use stickslip_mesher::Stretch;
+use stickslip_mesher::{Course, Stretch};
 
 /// An exact curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,11 +32,11 @@ pub enum Curve {
         /// Its ends; on the way from the first to the second the body is on the left.
         ends: [Point; 2],
     },
-    /// Anything else: several lines and arcs, or an edge of a mesh whose curve is not known.
+    /// Anything else: a spline, several lines, arcs and splines, or an edge of a mesh whose curve is not known.
     Chain {
         /// The smallest and the largest x and y of its points.
         bounds: [Point; 2],
-        /// Its lines and arcs with the body on their left; empty where they are not known.
+        /// Its lines, arcs and splines with the body on their left; empty where they are not known.
         stretches: Vec<Stretch>,
     },
 }
@@ -56,9 +56,21 @@ impl Curve {
         }
     }
 
-    /// The curve along all of `curves`, each of which is a line or an arc that begins where the one before ends.
+    /// The spline between `ends`; `None` where its points make no curve.
+    pub(super) fn spline(ends: [Point; 2], course: &Course) -> Option<Self> {
+        let stretches = vec![Stretch {
+            ends,
+            course: course.clone(),
+        }];
+        Some(Self::Chain {
+            bounds: mesher::Path::new(&stretches)?.bounds(),
+            stretches,
+        })
+    }
+
+    /// The curve along all of `curves`, each of which begins where the one before ends.
     pub(super) fn joined(curves: &[&Self]) -> Self {
-        let stretches: Vec<Stretch> = curves.iter().filter_map(|own| own.stretch()).collect();
+        let stretches: Vec<Stretch> = curves.iter().flat_map(|own| own.stretches()).collect();
         match (curves, stretches.as_slice()) {
             (&[only], _) => only.clone(),
             (_, [first, .., last]) if are_straight(&stretches) => Self::Segment {
@@ -81,38 +93,34 @@ impl Curve {
         }
     }
 
-    /// The lines and arcs of an open curve with the body on their left; `None` of a closed one, and where they are not known.
+    /// The lines, arcs and splines of an open curve with the body on their left; `None` of a closed one, and where they are not known.
     pub fn path(&self) -> Option<mesher::Path> {
-        match self {
-            Self::Circle { .. } => None,
-            Self::Chain { stretches, .. } => {
-                let (first, last) = (stretches.first()?, stretches.last()?);
-                let is_open = first.ends[0] != last.ends[1];
-                is_open.then(|| mesher::Path::new(stretches)).flatten()
-            }
-            Self::Segment { .. } | Self::Arc { .. } => mesher::Path::new(&[self.stretch()?]),
-        }
+        let stretches = self.stretches();
+        let (first, last) = (stretches.first()?, stretches.last()?);
+        let is_open = first.ends[0] != last.ends[1];
+        is_open.then(|| mesher::Path::new(&stretches)).flatten()
     }
 
-    /// One line or arc.
-    pub(super) fn stretch(&self) -> Option<Stretch> {
+    /// Its lines, arcs and splines where they are known, of a circle none.
+    fn stretches(&self) -> Vec<Stretch> {
         match *self {
-            Self::Segment { ends } => Some(Stretch {
+            Self::Segment { ends } => vec![Stretch {
                 ends,
-                through: None,
-            }),
+                course: Course::Line,
+            }],
             Self::Arc {
                 centre, ends, turn, ..
             } => {
                 let (sin, cos) = (0.5 * turn).sin_cos();
                 let [x, y] = [0, 1].map(|axis| ends[0][axis] - centre[axis]);
                 let through = [centre[0] + cos * x - sin * y, centre[1] + sin * x + cos * y];
-                Some(Stretch {
+                vec![Stretch {
                     ends,
-                    through: Some(through),
-                })
+                    course: Course::Arc(through),
+                }]
             }
-            Self::Circle { .. } | Self::Chain { .. } => None,
+            Self::Chain { ref stretches, .. } => stretches.clone(),
+            Self::Circle { .. } => Vec::new(),
         }
     }
 
@@ -142,7 +150,10 @@ impl Curve {
         let Self::Chain { stretches, .. } = self else {
             return None;
         };
-        let arc = |own: &Stretch| Self::through(own.ends[0], own.through?, own.ends[1]);
+        let arc = |own: &Stretch| match own.course {
+            Course::Arc(through) => Self::through(own.ends[0], through, own.ends[1]),
+            _ => None,
+        };
         let arcs: Option<Vec<Self>> = stretches.iter().map(arc).collect();
         let arcs = arcs?;
         let (Some(&Self::Arc { centre, radius, .. }), Some(first), Some(last)) =
@@ -163,7 +174,7 @@ impl Curve {
     pub(super) fn reversed(&self) -> Self {
         let back = |own: &Stretch| Stretch {
             ends: [own.ends[1], own.ends[0]],
-            ..*own
+            course: own.course.reversed(),
         };
         match *self {
             Self::Circle { .. } => self.clone(),
@@ -194,7 +205,7 @@ impl Curve {
         let shifted = |[x, y]: Point| [x + by[0], y + by[1]];
         let stretch = |own: &Stretch| Stretch {
             ends: own.ends.map(shifted),
-            through: own.through.map(shifted),
+            course: own.course.mapped(shifted, |angle| angle),
         };
         match *self {
             Self::Circle { centre, radius } => Self::Circle {
@@ -260,7 +271,7 @@ impl Curve {
 fn are_straight(lines: &[Stretch]) -> bool {
     const STRAIGHT: f64 = 1e-9;
     let along = |own: &Stretch| [0, 1].map(|axis| own.ends[1][axis] - own.ends[0][axis]);
-    lines.iter().all(|own| own.through.is_none())
+    lines.iter().all(|own| own.course == Course::Line)
         && lines.windows(2).all(|pair| {
             let [[ax, ay], [bx, by]] = [along(&pair[0]), along(&pair[1])];
             (ax * by - ay * bx).abs() <= STRAIGHT * ax.hypot(ay) * bx.hypot(by)

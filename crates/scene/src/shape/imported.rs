@@ -1,8 +1,10 @@
 //! `mesh`: a body whose mesh is in a file of another program.
 //!
-//! Its sets name its edges and points. An edge whose nodes lie on a line, on a circle, or on lines and arcs one after another is that curve.
+//! Its sets name its edges and points. An edge whose nodes lie on a line, on a circle, or on lines and arcs one after another is that curve; others are splines where the scene says so.
 
 mod edges;
+mod placed;
+mod splines;
 
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -12,12 +14,11 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate, unit_vector};
-use stickslip_fem_core::mesh::{self, ElementKind, Mesh, Point};
-use stickslip_mesh_files::{
-    Coincident, Format, Imported, read_with, recognise_set, snap, snap_pieces,
-};
+use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
+use stickslip_mesh_files::{Coincident, Format, read_with};
 
 use self::edges::{edges, uneven};
+use self::placed::placed;
 use super::Shape;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
 use crate::declaration::{Key, NONE, REQUIRED, text, words};
@@ -34,6 +35,7 @@ pub(super) const ROWS: &[Key] = &[
     text("file", REQUIRED, r#""data/lug.inp""#, "the file, relative to the folder of the scene"),
     words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
     text("elements", NONE, r#""body""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
+    words("splines", "list of edges", NONE, r#"["crown"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -43,6 +45,8 @@ pub(crate) struct Keys {
     unit: UnitName<Length>,
     #[serde(skip_serializing_if = "Option::is_none")]
     elements: Option<String>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    splines: Vec<String>,
 }
 
 #[cfg(test)]
@@ -64,6 +68,7 @@ impl Keys {
             points: Vec::new(),
             uneven: Vec::new(),
             notes: Vec::new(),
+            splines: Vec::new(),
             turn: 0.0,
         }
     }
@@ -115,12 +120,37 @@ impl Keys {
         };
         let scale = self.unit.unit().in_base;
         let digest = sha256(format!(
-            "{scale:e} {:?} {}",
+            "{scale:e} {:?} {:?} {}",
             self.elements,
+            self.splines,
             whole.into_inner()
         ));
-        let made = GivenMesh::new(&self.file, digest, own, scale);
-        made.map_err(|cause| refused("file", cause, MEND))
+        let invalid = |cause: String| refused("file", cause, MEND);
+        let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
+        let plain = placed(own.parts, scale, &mut notes).map_err(invalid)?;
+        let on_splines = splines::put_on(plain, &self.splines);
+        let (plain, moved) =
+            on_splines.map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;
+        let moved = self
+            .splines
+            .iter()
+            .zip(moved)
+            .filter(|(_, count)| *count > 0);
+        notes.extend(moved.map(|(name, count)| {
+            format!("{count} mid nodes of '{name}' were put from chords onto its spline")
+        }));
+        let given = GivenMesh {
+            file: self.file.clone(),
+            digest,
+            mesh: None,
+            edges: Vec::new(),
+            points: Vec::new(),
+            uneven: Vec::new(),
+            notes,
+            splines: self.splines.clone(),
+            turn: 0.0,
+        };
+        given.with(plain).map_err(invalid)
     }
 
     /// The text of a file that the mesh includes, which must not leave its folder.
@@ -149,6 +179,8 @@ pub struct GivenMesh {
     uneven: Vec<(String, String)>,
     /// What of the file was passed over or changed.
     pub notes: Vec<String>,
+    /// Names of edges that are splines.
+    splines: Vec<String>,
     /// By what it is turned from where the file has it `[rad]`.
     turn: f64,
 }
@@ -176,7 +208,11 @@ impl GivenMesh {
             (name.clone(), [cos * x - sin * y, sin * x + cos * y])
         };
         Self {
-            edges: edges(&mesh, self.edges.iter().map(|edge| edge.name.as_ref())),
+            edges: edges(
+                &mesh,
+                self.edges.iter().map(|edge| edge.name.as_ref()),
+                &self.splines,
+            ),
             points: self.points.iter().map(point).collect(),
             mesh: Some(Arc::new(mesh)),
             turn: self.turn + angle,
@@ -184,45 +220,17 @@ impl GivenMesh {
         }
     }
 
-    fn new(file: &str, digest: String, own: Imported, scale: f64) -> Result<Self, String> {
-        let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
-        let mut parts = own.parts;
-        for node in &mut parts.nodes {
-            *node = node.map(|x| scale * x);
-        }
-        let names: Vec<String> = parts.edge_sets.keys().cloned().collect();
-        for name in &names {
-            match recognise_set(&parts, name).map(|found| found.curve) {
-                Ok(mesh::Curve::Arc { radius, .. }) => {
-                    let moved = snap(&mut parts, name).map_err(|cause| cause.to_string())?;
-                    if moved > 0 {
-                        notes.push(format!(
-                            "{moved} mid nodes of '{name}' were put from chords onto its circle of radius {radius:.6} mm"
-                        ));
-                    }
-                }
-                Ok(curve @ mesh::Curve::Line) => {
-                    if let Some(set) = parts.edge_sets.get_mut(name) {
-                        set.curve = Some(curve);
-                    }
-                }
-                Err(_) => {
-                    let moved = snap_pieces(&mut parts, name).unwrap_or_default();
-                    if moved > 0 {
-                        notes.push(format!(
-                            "{moved} mid nodes of '{name}' were put from chords onto its arcs"
-                        ));
-                    }
-                }
-            }
-        }
-        let points = (parts.node_sets.iter())
-            .filter(|(name, nodes)| !parts.edge_sets.contains_key(*name) && !nodes.is_empty())
-            .map(|(name, nodes)| (name.clone(), parts.nodes[nodes[0]]));
+    /// The same file with its mesh.
+    fn with(self, plain: Mesh) -> Result<Self, String> {
+        let names: Vec<String> = plain.edge_set_names().map(str::to_owned).collect();
+        let points = (plain.node_set_names())
+            .filter(|name| plain.edge_set(name).is_err())
+            .filter_map(|name| {
+                let node = plain.node_set(name).ok()?.first()?;
+                Some((name.to_owned(), plain.nodes()[*node]))
+            });
         let points = points.collect();
-        // Supports hold the nodes of an edge by its name.
-        let plain = Mesh::new(parts).map_err(|cause| cause.to_string())?;
-        let edges = edges(&plain, names.iter().map(String::as_str));
+        let edges = edges(&plain, names.iter().map(String::as_str), &self.splines);
         let uneven = (names.iter()).filter_map(|name| {
             let path = plain.edge_path(name).ok().filter(|path| path.closed)?;
             Some((name.clone(), uneven(&plain, name, &path)?))
@@ -242,14 +250,11 @@ impl GivenMesh {
         parts.node_sets.extend(sets);
         let mesh = Mesh::new(parts).map_err(|cause| cause.to_string())?;
         Ok(Self {
-            file: file.to_owned(),
-            digest,
             mesh: Some(Arc::new(mesh)),
             edges,
             points,
             uneven,
-            notes,
-            turn: 0.0,
+            ..self
         })
     }
 }

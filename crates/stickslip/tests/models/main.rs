@@ -20,6 +20,7 @@ mod remarks;
 mod series;
 mod several;
 mod sharing;
+mod splines;
 mod springs;
 mod stated;
 mod travel;

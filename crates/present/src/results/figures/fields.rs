@@ -317,7 +317,7 @@ fn von_mises(scene: &Scene<'_>) -> Attempt {
 }
 
 fn normal_stress(scene: &Scene<'_>) -> Attempt {
-    // Along lines and arcs no component of the plane is the one across the contact everywhere.
+    // Along lines, arcs and splines no component of the plane is the one across the contact everywhere.
     if scene.edge.geometry.kind == EdgeKind::Path {
         return Ok(None);
     }

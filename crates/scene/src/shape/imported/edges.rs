@@ -5,12 +5,28 @@ use std::borrow::Cow;
 use stickslip_fem_core::mesh::{self, EdgePath, Mesh, Point};
 use stickslip_mesh_files::{best_circle, recognise_pieces};
 
+use super::splines::spline;
 use crate::shape::curve::Curve;
 use crate::shape::outline::{Edge, Role};
 
-/// The edges of the sets `names`.
-pub(super) fn edges<'a>(mesh: &Mesh, names: impl Iterator<Item = &'a str>) -> Vec<Edge> {
-    let edge = |name: &str| edge(mesh, name, mesh.edge_path(name).ok().as_ref());
+/// The edges of the sets `names`, of which `splines` are splines.
+pub(super) fn edges<'a>(
+    mesh: &Mesh,
+    names: impl Iterator<Item = &'a str>,
+    splines: &[String],
+) -> Vec<Edge> {
+    let edge = |name: &str| {
+        let path = mesh.edge_path(name).ok();
+        let is_spline = splines.iter().any(|own| own == name);
+        let spline = path
+            .as_ref()
+            .filter(|_| is_spline)
+            .and_then(|path| spline(mesh, path));
+        spline.map_or_else(
+            || edge(mesh, name, path.as_ref()),
+            |curve| free(name, curve),
+        )
+    };
     names.map(edge).collect()
 }
 
@@ -63,9 +79,16 @@ fn edge(mesh: &Mesh, name: &str, path: Option<&EdgePath>) -> Edge {
         }
     };
     Edge {
+        role,
+        ..free(name, curve)
+    }
+}
+
+fn free(name: &str, curve: Curve) -> Edge {
+    Edge {
         name: Cow::Owned(name.to_owned()),
         curve,
-        role,
+        role: Role::Free,
         size: None,
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_mesher::{Contour, Cutout, Piece};
+use stickslip_mesher::{Contour, Course, Cutout, Piece};
 
 use crate::shape::curve::Curve;
 use crate::shape::outline::{Edge, Role};
@@ -34,12 +34,13 @@ pub(super) fn cut_out(own: &Cutout) -> Vec<Edge> {
 fn curves(start: Point, pieces: &[Piece]) -> Vec<(String, Curve)> {
     let begins = std::iter::once(start).chain(pieces.iter().map(|piece| piece.to));
     let curve = |(piece, from): (&Piece, Point)| {
-        let arc = |through| Curve::through(from, through, piece.to);
-        let line = Curve::Segment {
-            ends: [from, piece.to],
+        let ends = [from, piece.to];
+        let bent = match &piece.course {
+            Course::Line => None,
+            Course::Arc(through) => Curve::through(from, *through, piece.to),
+            Course::Spline(_) => Curve::spline(ends, &piece.course),
         };
-        let curve = piece.through.and_then(arc).unwrap_or(line);
-        (piece.name.clone(), curve)
+        (piece.name.clone(), bent.unwrap_or(Curve::Segment { ends }))
     };
     pieces.iter().zip(begins).map(curve).collect()
 }

@@ -1,6 +1,6 @@
 //! What is wrong with an outline, at the key that causes it.
 
-use stickslip_mesher::{ContourError, ContourMesh, Division, Piece};
+use stickslip_mesher::{ContourError, ContourMesh, Course, Division, Piece, SplineFlaw};
 
 use super::Profile;
 use crate::document::child;
@@ -50,19 +50,26 @@ impl Profile {
 
     /// The key below the shape's table that a defect is shown at.
     fn key_of(&self, defect: &ContourError) -> String {
-        let at = |pieces: &[Piece], name: &str| pieces.iter().position(|piece| piece.name == name);
-        let edge = |name: &str| {
-            let outer = at(&self.contour.pieces, name).map(|index| format!("edges.{index}"));
+        let key_with = |is_it: &dyn Fn(&Piece) -> bool| {
+            let outer = self.contour.pieces.iter().position(is_it);
+            let outer = outer.map(|index| format!("edges.{index}"));
             let cut = self.contour.cutouts.iter().find_map(|own| {
-                let index = at(&own.pieces, name)?;
+                let index = own.pieces.iter().position(is_it)?;
                 Some(format!("cutouts.{}.edges.{index}", own.name))
             });
             outer.or(cut).unwrap_or_else(|| "edges".to_owned())
+        };
+        let edge = |name: &str| key_with(&|piece| piece.name == name);
+        let spline = |name: &str| {
+            let is_it =
+                |piece: &Piece| piece.name == name && matches!(piece.course, Course::Spline(_));
+            format!("{}.spline", key_with(&is_it))
         };
         match defect {
             ContourError::Open { piece, .. }
             | ContourError::ZeroLength { piece, .. }
             | ContourError::StraightArc { piece } => edge(piece),
+            ContourError::Spline { piece, .. } => spline(piece),
             ContourError::Crossing { second, .. } | ContourError::Cusp { second, .. } => {
                 edge(second)
             }
@@ -96,6 +103,7 @@ fn remedy(defect: &ContourError) -> &'static str {
         ContourError::StraightArc { .. } => {
             "give a point beside the line between its ends, or remove `through`"
         }
+        ContourError::Spline { flaw, .. } => flawed(flaw),
         ContourError::NoEnd { .. } => {
             "end an edge there, or move the point to where one ends; numbers are in mm"
         }
@@ -108,5 +116,22 @@ fn remedy(defect: &ContourError) -> &'static str {
             "move the hole or give it a smaller radius; numbers are in mm"
         }
         _ => "change the edges; coordinates are in mm",
+    }
+}
+
+/// What to do about a spline.
+fn flawed(flaw: &SplineFlaw) -> &'static str {
+    match flaw {
+        SplineFlaw::NoPoint => {
+            "give points between its ends, or remove `spline` for a straight edge"
+        }
+        SplineFlaw::TooManyPoints { .. } => "leave out points, or divide the edge into several",
+        SplineFlaw::RepeatedPoint { .. } => {
+            "remove one of the two points; `spline` leaves out the ends of the edge, and coordinates are in mm"
+        }
+        SplineFlaw::Tight { .. } => {
+            "give more points there, or end the edge where the outline has a corner; numbers are in mm"
+        }
+        _ => "change its points, or give more of them; coordinates are in mm",
     }
 }

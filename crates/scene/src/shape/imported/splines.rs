@@ -1,0 +1,121 @@
+//! Edges of a mesh from a file that are declared to be splines: smooth curves through their nodes.
+
+use stickslip_fem_core::mesh::{EdgePath, Mesh, Point};
+use stickslip_mesher::{Course, Spline};
+
+use crate::shape::curve::Curve;
+
+/// Angle between neighbouring chords `[rad]` from which on an edge has a corner.
+const CORNER: f64 = std::f64::consts::FRAC_PI_6;
+/// Distance of mid nodes from their chords, over these, up to which they are on them.
+const ON_CHORD: f64 = 1e-9;
+
+/// The spline through the nodes of the open chain `path`: through all of them, or through its corners where no cell is curved.
+pub(super) fn spline(mesh: &Mesh, path: &EdgePath) -> Option<Curve> {
+    let order = if is_curved(mesh, path) { 1 } else { path.order };
+    let places = path.nodes.iter().step_by(order);
+    let places: Vec<Point> = places.map(|&node| mesh.nodes()[node]).collect();
+    let [from, inner @ .., to] = places.as_slice() else {
+        return None;
+    };
+    let course = Course::Spline(Spline {
+        points: inner.to_vec(),
+        ..Spline::default()
+    });
+    Curve::spline([*from, *to], &course)
+}
+
+/// The mesh with the mid nodes of the edges `names` on their splines, and how many of each were put there from chords.
+///
+/// # Errors
+/// What is wrong with an edge, and what to do.
+pub(super) fn put_on(mesh: Mesh, names: &[String]) -> Result<(Mesh, Vec<usize>), [String; 2]> {
+    let mut places = mesh.nodes().to_vec();
+    let mut counts = Vec::new();
+    for name in names {
+        let path = checked(&mesh, name)?;
+        let curve = spline(&mesh, &path).and_then(|own| own.path());
+        let curve = curve.ok_or_else(|| {
+            let cause = format!("no spline passes the nodes of edge '{name}'");
+            [
+                cause,
+                format!(
+                    "remove '{name}' from `splines`, or give the edge more and evenly spaced cells"
+                ),
+            ]
+        })?;
+        let middles = path.nodes.iter().enumerate();
+        let middles = middles.filter(|(k, _)| k % path.order != 0 && !is_curved(&mesh, &path));
+        let mut count = 0;
+        for (_, &node) in middles {
+            places[node] = curve.at(curve.nearest(places[node]));
+            count += 1;
+        }
+        counts.push(count);
+    }
+    let mut parts = mesh.into_parts();
+    parts.nodes = places;
+    let made = Mesh::new(parts).map_err(|cause| {
+        let cause = format!("its cells along splines are not valid: {cause}");
+        [cause, "give these edges more cells".to_owned()]
+    })?;
+    Ok((made, counts))
+}
+
+/// The open chain of an edge that is no known curve and has no corner.
+fn checked(mesh: &Mesh, name: &str) -> Result<EdgePath, [String; 2]> {
+    let set = mesh.edge_set(name).map_err(|_| {
+        let known: Vec<&str> = mesh.edge_set_names().collect();
+        let remedy = format!("edges of the file: {}", known.join(", "));
+        [format!("it has no edge '{name}'"), remedy]
+    })?;
+    let needless = || format!("remove '{name}' from `splines`");
+    if set.curve.is_some() {
+        return Err([format!("edge '{name}' is a line or a circle"), needless()]);
+    }
+    let path = mesh
+        .edge_path(name)
+        .map_err(|cause| [cause.to_string(), needless()])?;
+    if path.closed {
+        let cause = format!("edge '{name}' is closed, and splines have ends");
+        return Err([
+            cause,
+            "divide it into two edges in the program that made the mesh".to_owned(),
+        ]);
+    }
+    let corners = path.nodes.iter().step_by(path.order);
+    let corners: Vec<Point> = corners.map(|&node| mesh.nodes()[node]).collect();
+    for three in corners.windows(3) {
+        let [u, v] = [0, 1].map(|k| [0, 1].map(|axis| three[k + 1][axis] - three[k][axis]));
+        let turn = (u[0] * v[1] - u[1] * v[0])
+            .atan2(u[0] * v[0] + u[1] * v[1])
+            .abs();
+        if turn > CORNER {
+            let cause = format!(
+                "edge '{name}' turns by {:.1}° at ({:.6}, {:.6}) mm, where it is no smooth curve",
+                turn.to_degrees(),
+                three[1][0],
+                three[1][1]
+            );
+            return Err([
+                cause,
+                "give the parts on both sides names of their own, or give it more cells".to_owned(),
+            ]);
+        }
+    }
+    Ok(path)
+}
+
+/// Whether a mid node of the chain is off its chord.
+fn is_curved(mesh: &Mesh, path: &EdgePath) -> bool {
+    let at = |k: usize| mesh.nodes()[path.nodes[k]];
+    (0..path.edges.len()).any(|edge| {
+        let ends = [edge * path.order, (edge + 1) * path.order];
+        let [a, b] = ends.map(at);
+        let [x, y] = [b[0] - a[0], b[1] - a[1]];
+        (ends[0] + 1..ends[1]).any(|k| {
+            let [u, v] = [at(k)[0] - a[0], at(k)[1] - a[1]];
+            (x * v - y * u).abs() > ON_CHORD * (x * x + y * y)
+        })
+    })
+}

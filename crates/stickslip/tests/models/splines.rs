@@ -1,0 +1,501 @@
+//! Splines in outlines: beside arcs, holes and closed forms, in contact, in cut-outs, moved and turned, and what is refused.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use stickslip::model::Model;
+use stickslip::results::{EdgeResults, Results};
+use stickslip::scene::{Format, Scene};
+
+use super::{scene, solved};
+
+/// Young's modulus over 1 − ν² of the bodies in plane strain `[MPa]`.
+const PLANE: f64 = 70_000.0 / (1.0 - 0.09);
+
+fn close(found: f64, expected: f64, part: f64) {
+    assert!(
+        (found - expected).abs() <= part * expected.abs(),
+        "{found} {expected}: {:.2e}",
+        found / expected - 1.0
+    );
+}
+
+fn edge(results: &Results) -> &EdgeResults {
+    &results.steps[0].edges[0]
+}
+
+fn place([x, y]: [f64; 2]) -> String {
+    format!(r#"["{x} mm", "{y} mm"]"#)
+}
+
+/// `count` points of a curve over [−1, 1].
+fn points(count: usize, at: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
+    (0..count)
+        .map(|k| at(2.0 * k as f64 / (count - 1) as f64 - 1.0))
+        .collect()
+}
+
+/// The keys of a spline through points, its ends left out.
+fn spline(points: &[[f64; 2]]) -> String {
+    let inner: Vec<String> = points[1..points.len() - 1]
+        .iter()
+        .map(|&at| place(at))
+        .collect();
+    format!("spline = [{}]", inner.join(", "))
+}
+
+/// A block with its upper side along y = 0, 80 mm wide and `depth` deep, with small cells up to `fine`, and a body above it whose face `way` runs from the first to the second of `ends`.
+fn pressed(way: &str, [from, to]: [[f64; 2]; 2], force: f64, (depth, fine): (f64, f64)) -> String {
+    format!(
+        r#"
+version = 1
+analysis.plane = "strain"
+materials.metal.isotropic = {{ young = "70 GPa", poisson = 0.3 }}
+[bodies.block]
+material = "metal"
+thickness = "1 mm"
+shape.outline = {{ start = ["-40 mm", "-{depth} mm"], edges = [{{ name = "bottom", to = ["40 mm", "-{depth} mm"] }}, {{ name = "right", to = ["40 mm", "0 mm"] }}, {{ name = "top", to = ["{fine} mm", "0 mm"] }}, {{ name = "top", to = ["-{fine} mm", "0 mm"], refine = 80 }}, {{ name = "top", to = ["-40 mm", "0 mm"] }}, {{ name = "left" }}] }}
+[bodies.roller]
+material = "metal"
+thickness = "1 mm"
+shape.outline = {{ start = {start}, edges = [{{ name = "face", to = {end}, {way}, refine = 80 }}, {{ name = "side", to = ["{x} mm", "30 mm"] }}, {{ name = "top", to = ["-{x} mm", "30 mm"] }}, {{ name = "back" }}] }}
+[mesh]
+spacing = "4 mm"
+[[contacts]]
+first = "roller.face"
+second = "block.top"
+friction.coulomb.mu = 0
+[[supports]]
+on = "block.bottom"
+fix = ["x", "y"]
+[[platens]]
+on = "roller.top"
+free = ["y"]
+[[loads]]
+on = "roller.top"
+force = {{ direction = [0, -1], steps = ["{force} N"] }}
+[output]
+fields = "none"
+figures = false
+"#,
+        start = place(from),
+        end = place(to),
+        x = to[0],
+    )
+}
+
+/// Half-width 2 mm of the contact of a roller of 20 mm.
+const ROLLER: f64 = 20.0;
+const FORCE: f64 = PI * 0.5 * PLANE;
+
+/// Peak pressure and half-width under a roller whose face spans `angle` to either side, an arc or a spline through `count` points.
+fn roller(angle: f64, count: Option<usize>) -> [f64; 2] {
+    let at = |part: f64| {
+        let (sin, cos) = (angle * part).sin_cos();
+        [ROLLER * sin, ROLLER * (1.0 - cos)]
+    };
+    let way = count.map_or_else(
+        || r#"through = ["0 mm", "0 mm"]"#.to_owned(),
+        |count| spline(&points(count, at)),
+    );
+    let results = solved(
+        &pressed(&way, [at(-1.0), at(1.0)], FORCE / 10.0, (40.0, 3.0)),
+        &[],
+    );
+    let edge = edge(&results);
+    [
+        edge.peak_pressure.unwrap().0,
+        edge.contact_half_extent.unwrap(),
+    ]
+}
+
+#[test]
+fn a_roller_of_a_spline_is_one_of_an_arc() {
+    let half = FRAC_PI_2 * 0.999;
+    for (angle, counts, within) in [
+        (0.5 * FRAC_PI_2, &[9_usize, 17][..], 1e-3),
+        (half, &[17, 33], 1e-3),
+    ] {
+        let [pressure, extent] = roller(angle, None);
+        for &count in counts {
+            let [own, end] = roller(angle, Some(count));
+            eprintln!(
+                "{angle} {count}: {:.3e} {:.3e}",
+                own / pressure - 1.0,
+                end / extent - 1.0
+            );
+            close(own, pressure, within);
+            close(end, extent, within);
+        }
+    }
+}
+
+/// A parabola y = x²/2R under the force of Hertz: p₀ = E* a/2R, 4 P R = π E* a².
+#[test]
+fn a_parabola_presses_as_hertz_says() {
+    let parabola = |part: f64| [10.0 * part, 100.0 * part * part / (2.0 * ROLLER)];
+    let way = spline(&points(9, parabola));
+    let (modulus, half) = (PLANE / 2.0, 1.0);
+    let force = PI * modulus * half * half / (4.0 * ROLLER);
+    let ends = [parabola(-1.0), parabola(1.0)];
+    let results = solved(&pressed(&way, ends, force, (40.0, 2.0)), &[]);
+    let edge = edge(&results);
+    eprintln!("{:?} {:?}", edge.peak_pressure, edge.contact_half_extent);
+    close(
+        edge.peak_pressure.unwrap().0,
+        modulus * half / (2.0 * ROLLER),
+        5e-3,
+    );
+    close(edge.contact_half_extent.unwrap(), half, 5e-3);
+    close(edge.resultant[1], force, 1e-9);
+}
+
+/// A rigid punch y = A x⁴ on a half-plane: p(x) = 2 A E* (x² + a²/2) √(a² − x²), P = ¾ π A E* a⁴ (Steuermann 1939).
+#[test]
+fn a_punch_of_fourth_order_presses_as_steuermann_says() {
+    const A: f64 = 1.25e-3;
+    let quartic = |part: f64| [6.0 * part, A * (6.0 * part).powi(4)];
+    let way = spline(&points(25, quartic));
+    let half = 2.0_f64;
+    let force = 0.75 * PI * A * PLANE * half.powi(4);
+    let text = pressed(&way, [quartic(-1.0), quartic(1.0)], force, (60.0, 2.5));
+    let text = text
+        .replace(
+            "[bodies.roller]\nmaterial = \"metal\"\nthickness = \"1 mm\"",
+            "[bodies.roller]\nrigid = true",
+        )
+        .replace(
+            "first = \"roller.face\"\nsecond = \"block.top\"",
+            "first = \"block.top\"\nsecond = \"roller.face\"",
+        )
+        .replace(
+            "[[platens]]\non = \"roller.top\"\nfree = [\"y\"]",
+            "[[supports]]\non = \"roller.top\"\nfix = [\"x\"]",
+        );
+    let results = solved(&text, &[]);
+    let edge = edge(&results);
+    let pressure = |x: f64| {
+        let inside = (half * half - x * x).max(0.0);
+        2.0 * A * PLANE * (x * x + half * half / 2.0) * inside.sqrt()
+    };
+    let peak = pressure(half / 2.0_f64.sqrt());
+    eprintln!(
+        "{:?} {peak} {:?}",
+        edge.peak_pressure, edge.contact_half_extent
+    );
+    close(edge.peak_pressure.unwrap().0, peak, 0.01);
+    close(edge.contact_half_extent.unwrap(), half, 0.01);
+    let mut apart = 0.0_f64;
+    for (row, x) in edge.rows.iter().zip(&results.edges[0].parameter) {
+        if x.abs() < 0.97 * half {
+            apart = apart.max((row.pressure - pressure(*x)).abs());
+        }
+    }
+    eprintln!("{}", apart / peak);
+    assert!(apart < 0.01 * peak, "{}", apart / peak);
+}
+
+/// A nose between a spline and a line, pressed on a block by a spline, with friction; points go through `put`, turned round where `is_mirrored`.
+fn nose(
+    way: [&str; 2],
+    put: impl Fn([f64; 2]) -> [f64; 2],
+    is_mirrored: bool,
+    place: &str,
+) -> String {
+    let at = |x: f64, y: f64| self::place(put([x, y]));
+    let curve = |kind: &str, from: f64, to: f64, height: fn(f64) -> f64| {
+        let middle = f64::midpoint(from, to);
+        if kind == "arc" {
+            return format!("through = {}", at(middle, height(middle)));
+        }
+        let list = (1..8).map(|k| {
+            let x = from + (to - from) * f64::from(k) / 8.0;
+            put([x, height(x)])
+        });
+        let mut list: Vec<[f64; 2]> = std::iter::once([0.0; 2])
+            .chain(list)
+            .chain([[0.0; 2]])
+            .collect();
+        if is_mirrored {
+            list.reverse();
+        }
+        spline(&list)
+    };
+    let bulge = |x: f64| 30.0 - (900.0 - x * x).sqrt();
+    let hollow = |x: f64| 90.0 - (8100.0 - x * x).sqrt();
+    let [nose, bed] = [
+        curve(way[0], -4.0, 4.0, bulge),
+        curve(way[1], 10.0, -10.0, hollow),
+    ];
+    let outline = |start: [f64; 2], edges: &[(&str, [f64; 2], String)]| {
+        let mut names: Vec<(&str, String)> = Vec::new();
+        let mut ends: Vec<[f64; 2]> = vec![start];
+        for (name, to, way) in edges {
+            names.push((name, way.clone()));
+            ends.push(*to);
+        }
+        if is_mirrored {
+            names.reverse();
+            ends.reverse();
+        }
+        let list = names.iter().zip(&ends[1..]).map(|((name, way), to)| {
+            format!(
+                r#"{{ name = "{name}", to = {}{way} }}"#,
+                self::place(put(*to))
+            )
+        });
+        let list: Vec<String> = list.collect();
+        format!(
+            "shape.outline = {{ start = {}, edges = [{}] }}",
+            self::place(put(ends[0])),
+            list.join(", ")
+        )
+    };
+    let fine = |way: &str| format!(", {way}, refine = 6");
+    let block = outline(
+        [-10.0, -8.0],
+        &[
+            ("bottom", [10.0, -8.0], String::new()),
+            ("right", [10.0, hollow(10.0)], String::new()),
+            ("face", [-10.0, hollow(10.0)], fine(&bed)),
+            ("left", [-10.0, -8.0], String::new()),
+        ],
+    );
+    let nose = outline(
+        [-4.0, 6.0],
+        &[
+            ("left", [-4.0, bulge(4.0)], String::new()),
+            ("face", [4.0, bulge(4.0)], fine(&nose)),
+            ("right", [4.0, 6.0], String::new()),
+            ("top", [-4.0, 6.0], String::new()),
+        ],
+    );
+    format!(
+        r#"
+version = 1
+materials.metal.isotropic = {{ young = "70 GPa", poisson = 0.3 }}
+[bodies.block]
+material = "metal"
+thickness = "1 mm"
+{place}
+{block}
+[bodies.nose]
+material = "metal"
+thickness = "1 mm"
+{place}
+{nose}
+[mesh]
+spacing = "1.5 mm"
+[[contacts]]
+first = "nose.face"
+second = "block.face"
+friction.coulomb.mu = 0.3
+[[supports]]
+on = "block.bottom"
+fix = ["x", "y"]
+[[platens]]
+on = "nose.top"
+free = ["x", "y"]
+[[loads]]
+on = "nose.top"
+force = {{ direction = [0.1, -1], steps = ["1 kN"] }}
+[output]
+fields = "none"
+figures = false
+"#
+    )
+}
+
+#[test]
+fn moved_turned_and_mirrored_splines_press_as_arcs_do() {
+    let numbers = |text: &str, changes: &[&str]| {
+        let results = solved(text, changes);
+        let edge = edge(&results);
+        [
+            edge.peak_pressure.unwrap().0,
+            edge.contact_half_extent.unwrap(),
+            edge.stick_half_extent.unwrap(),
+        ]
+    };
+    let whole = |at: [f64; 2]| at;
+    let still = numbers(&nose(["spline", "spline"], whole, false, ""), &[]);
+    let (sin, cos) = (PI / 6.0).sin_cos();
+    let pushed = format!(
+        "loads.0.force.direction=[{}, {}]",
+        0.1 * cos + sin,
+        0.1 * sin - cos
+    );
+    let mut found = vec![
+        (
+            "moved",
+            numbers(
+                &nose(
+                    ["spline", "spline"],
+                    whole,
+                    false,
+                    r#"position = ["64 mm", "-32 mm"]"#,
+                ),
+                &[],
+            ),
+        ),
+        (
+            "turned",
+            numbers(
+                &nose(["spline", "spline"], whole, false, r#"angle = "30 deg""#),
+                &[&pushed],
+            ),
+        ),
+    ];
+    let turned = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+    found.push((
+        "drawn turned",
+        numbers(&nose(["spline", "spline"], turned, false, ""), &[&pushed]),
+    ));
+    let mirrored = |[x, y]: [f64; 2]| [-x, y];
+    found.push((
+        "mirrored",
+        numbers(
+            &nose(["spline", "spline"], mirrored, true, ""),
+            &["loads.0.force.direction=[-0.1, -1]"],
+        ),
+    ));
+    for ways in [["arc", "arc"], ["arc", "spline"], ["spline", "arc"]] {
+        found.push((ways[0], numbers(&nose(ways, whole, false, ""), &[])));
+    }
+    for (name, own) in &found {
+        eprintln!("{name}: {:?}", [0, 1, 2].map(|k| own[k] / still[k] - 1.0));
+    }
+    for (name, own) in found {
+        for (own, still) in own.into_iter().zip(still) {
+            assert!((own / still - 1.0).abs() < 1e-3, "{name}: {own} {still}");
+        }
+    }
+}
+
+/// The strip of 40 mm with a circle of radius 10 mm cut out of it as splines of these names, each through three points between its ends, under 100 MPa of tension.
+fn pulled(names: &[&str], reported: &[&str]) -> Results {
+    let count = names.len();
+    let at = |turn: f64| {
+        let (sin, cos) = (TAU * turn / count as f64).sin_cos();
+        place([10.0 * cos, 10.0 * sin])
+    };
+    let edges = names.iter().enumerate().map(|(k, name)| {
+        let from = k as f64;
+        let to = if k + 1 < count { format!("to = {}, ", at(from + 1.0)) } else { String::new() };
+        let inner: Vec<String> = (1..8).map(|part| at(from + f64::from(part) / 8.0)).collect();
+        let [leaves, arrives] = [from, from + 1.0].map(|own| 90.0 + 360.0 * own / count as f64);
+        format!(
+            r#"{{ name = "{name}", {to}spline = [{}], leaves = "{leaves} deg", arrives = "{arrives} deg", refine = 16 }}"#,
+            inner.join(", ")
+        )
+    });
+    let edges: Vec<String> = edges.collect();
+    let reported: String = (reported.iter())
+        .map(|on| format!("[[edges]]\non = \"plate.{on}\"\n"))
+        .collect();
+    solved(
+        &format!(
+            r#"
+version = 1
+materials.metal.isotropic = {{ young = "70 GPa", poisson = 0.33 }}
+[bodies.plate]
+material = "metal"
+thickness = "1 mm"
+mesh.spacing = "4 mm"
+[bodies.plate.shape.outline]
+start = ["-120 mm", "-20 mm"]
+edges = [{{ name = "bottom", to = ["120 mm", "-20 mm"] }}, {{ name = "right", to = ["120 mm", "20 mm"] }}, {{ name = "top", to = ["-120 mm", "20 mm"] }}, {{ name = "left" }}]
+cutouts.round = {{ start = {}, edges = [{}] }}
+[[supports]]
+on = "plate.left"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.right"
+pressure.steps = ["-100 MPa"]
+{reported}[output]
+fields = "none"
+figures = false
+"#,
+            at(0.0),
+            edges.join(", ")
+        ),
+        &[],
+    )
+}
+
+/// Howland's problem of an infinitely long strip, solved to 6 digits, with results over the length of splines of 60°, of which the second and the fifth lie across the tension.
+#[test]
+fn a_circle_of_splines_concentrates_stresses_as_a_hole_does() {
+    let results = pulled(&["a", "b", "c", "d", "e", "f"], &["b", "e"]);
+    for edge in &results.steps[0].edges {
+        let (peak, at) = edge.peak_hoop.unwrap();
+        close(peak / 100.0, 4.347_60, 1e-3);
+        assert!(at.abs() < 0.3, "{at}");
+    }
+    for edge in &results.edges {
+        let half = 10.0 * PI / 6.0;
+        close(edge.parameter[0], -half, 1e-6);
+        close(edge.parameter[edge.parameter.len() - 1], half, 1e-6);
+    }
+}
+
+fn refusal(text: &str, changes: &[&str]) -> String {
+    let path = std::path::Path::new("");
+    let read = Scene::from_text(text, Format::Toml, "scene.toml", path, changes);
+    read.expect_err("a refusal").to_string()
+}
+
+#[test]
+fn what_makes_no_spline_is_refused_with_its_line() {
+    let text = nose(["spline", "spline"], |at| at, false, "");
+    let key = "bodies.nose.shape.outline.edges.1";
+    for (change, messages) in [
+        (
+            r#"spline=[]"#,
+            ["has no point between its ends", "remove `spline`"],
+        ),
+        (
+            r#"spline=[["1 mm", "0 mm"], ["1 mm", "0 mm"]]"#,
+            [
+                "passes (1.000000, 0.000000) twice in a row",
+                "remove one of the two points",
+            ],
+        ),
+        (
+            r#"spline=[["1 mm", "0 mm"], ["1.01 mm", "0 mm"], ["0.99 mm", "0.01 mm"], ["3 mm", "0 mm"]]"#,
+            ["turns with a radius of", "give more points there"],
+        ),
+        (
+            r#"spline=[["4 mm", "-1 mm"], ["0 mm", "-2 mm"], ["0 mm", "0 mm"], ["3 mm", "-2 mm"]]"#,
+            ["meets itself near", "change its points"],
+        ),
+        (
+            r#"spline=[["0 mm", "8 mm"]]"#,
+            ["meet near", "change the edges"],
+        ),
+        (r#"through=["0 mm", "0 mm"]"#, ["through", "spline"]),
+        (r#"spline=["0 mm", "0 mm"]"#, ["spline", "two lengths"]),
+    ] {
+        let message = refusal(&text, &[&format!("{key}.{change}")]);
+        for expected in messages {
+            assert!(message.contains(expected), "{change}: {message}");
+        }
+    }
+    let arcs = nose(["arc", "arc"], |at| at, false, "");
+    let message = refusal(&arcs, &[&format!(r#"{key}.leaves="10 deg""#)]);
+    assert!(message.contains("`leaves` is for splines"), "{message}");
+    let at_line = text.replace("spline = [", r#"spline = [["-4 mm", "0.267857 mm"], "#);
+    let message = refusal(&at_line, &[]);
+    assert!(message.contains("scene.toml:"), "{message}");
+}
+
+#[test]
+fn gaps_on_the_deformed_geometry_are_refused_as_of_arcs() {
+    let message = |way: [&str; 2]| {
+        let text = nose(way, |at| at, false, "");
+        Model::build(&scene(&text, &["analysis.kinematics=deformed-gaps"]))
+            .unwrap_err()
+            .to_string()
+    };
+    assert!(message(["spline", "spline"]).contains("deformed-gaps"));
+    assert_eq!(message(["spline", "spline"]), message(["arc", "arc"]));
+}
