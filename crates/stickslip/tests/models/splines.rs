@@ -1,12 +1,12 @@
 //! Splines in outlines: beside arcs, holes and closed forms, in contact, in cut-outs, moved and turned, and what is refused.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+mod others;
 
-use stickslip::model::Model;
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use stickslip::results::{EdgeResults, Results};
-use stickslip::scene::{Format, Scene};
 
-use super::{scene, solved};
+use super::solved;
 
 /// Young's modulus over 1 − ν² of the bodies in plane strain `[MPa]`.
 const PLANE: f64 = 70_000.0 / (1.0 - 0.09);
@@ -83,9 +83,10 @@ figures = false
     )
 }
 
-/// Half-width 2 mm of the contact of a roller of 20 mm.
+/// Radius of the roller `[mm]`.
 const ROLLER: f64 = 20.0;
-const FORCE: f64 = PI * 0.5 * PLANE;
+/// Force `[N]` under which its contact is of half-width 2 mm.
+const FORCE: f64 = 0.025 * PI * PLANE;
 
 /// Peak pressure and half-width under a roller whose face spans `angle` to either side, an arc or a spline through `count` points.
 fn roller(angle: f64, count: Option<usize>) -> [f64; 2] {
@@ -97,10 +98,7 @@ fn roller(angle: f64, count: Option<usize>) -> [f64; 2] {
         || r#"through = ["0 mm", "0 mm"]"#.to_owned(),
         |count| spline(&points(count, at)),
     );
-    let results = solved(
-        &pressed(&way, [at(-1.0), at(1.0)], FORCE / 10.0, (40.0, 3.0)),
-        &[],
-    );
+    let results = solved(&pressed(&way, [at(-1.0), at(1.0)], FORCE, (40.0, 3.0)), &[]);
     let edge = edge(&results);
     [
         edge.peak_pressure.unwrap().0,
@@ -118,11 +116,6 @@ fn a_roller_of_a_spline_is_one_of_an_arc() {
         let [pressure, extent] = roller(angle, None);
         for &count in counts {
             let [own, end] = roller(angle, Some(count));
-            eprintln!(
-                "{angle} {count}: {:.3e} {:.3e}",
-                own / pressure - 1.0,
-                end / extent - 1.0
-            );
             close(own, pressure, within);
             close(end, extent, within);
         }
@@ -139,7 +132,6 @@ fn a_parabola_presses_as_hertz_says() {
     let ends = [parabola(-1.0), parabola(1.0)];
     let results = solved(&pressed(&way, ends, force, (40.0, 2.0)), &[]);
     let edge = edge(&results);
-    eprintln!("{:?} {:?}", edge.peak_pressure, edge.contact_half_extent);
     close(
         edge.peak_pressure.unwrap().0,
         modulus * half / (2.0 * ROLLER),
@@ -171,17 +163,14 @@ fn a_punch_of_fourth_order_presses_as_steuermann_says() {
             "[[platens]]\non = \"roller.top\"\nfree = [\"y\"]",
             "[[supports]]\non = \"roller.top\"\nfix = [\"x\"]",
         );
-    let results = solved(&text, &[]);
+    // Between its points the spline dips below y = 0 by 3·10⁻⁶ mm, so it begins apart.
+    let results = solved(&text, &[r#"bodies.roller.position=["0 mm", "0.01 mm"]"#]);
     let edge = edge(&results);
     let pressure = |x: f64| {
         let inside = (half * half - x * x).max(0.0);
         2.0 * A * PLANE * (x * x + half * half / 2.0) * inside.sqrt()
     };
     let peak = pressure(half / 2.0_f64.sqrt());
-    eprintln!(
-        "{:?} {peak} {:?}",
-        edge.peak_pressure, edge.contact_half_extent
-    );
     close(edge.peak_pressure.unwrap().0, peak, 0.01);
     close(edge.contact_half_extent.unwrap(), half, 0.01);
     let mut apart = 0.0_f64;
@@ -190,7 +179,6 @@ fn a_punch_of_fourth_order_presses_as_steuermann_says() {
             apart = apart.max((row.pressure - pressure(*x)).abs());
         }
     }
-    eprintln!("{}", apart / peak);
     assert!(apart < 0.01 * peak, "{}", apart / peak);
 }
 
@@ -316,186 +304,52 @@ fn moved_turned_and_mirrored_splines_press_as_arcs_do() {
             edge.stick_half_extent.unwrap(),
         ]
     };
+    let near = |name: &str, found: [f64; 3], expected: [f64; 3], part: f64| {
+        for (own, other) in found.into_iter().zip(expected) {
+            let apart = (own / other - 1.0).abs();
+            assert!(apart < part, "{name}: {own} {other}: {apart:.2e}");
+        }
+    };
+    let [smooth, round] = [["spline"; 2], ["arc"; 2]];
     let whole = |at: [f64; 2]| at;
-    let still = numbers(&nose(["spline", "spline"], whole, false, ""), &[]);
-    let (sin, cos) = (PI / 6.0).sin_cos();
-    let pushed = format!(
-        "loads.0.force.direction=[{}, {}]",
-        0.1 * cos + sin,
-        0.1 * sin - cos
+    let still = numbers(&nose(smooth, whole, false, ""), &[]);
+    let far = r#"position = ["64 mm", "-32 mm"]"#;
+    near(
+        "moved",
+        numbers(&nose(smooth, whole, false, far), &[]),
+        still,
+        1e-9,
     );
-    let mut found = vec![
-        (
-            "moved",
-            numbers(
-                &nose(
-                    ["spline", "spline"],
-                    whole,
-                    false,
-                    r#"position = ["64 mm", "-32 mm"]"#,
-                ),
-                &[],
-            ),
-        ),
-        (
-            "turned",
-            numbers(
-                &nose(["spline", "spline"], whole, false, r#"angle = "30 deg""#),
-                &[&pushed],
-            ),
-        ),
-    ];
-    let turned = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
-    found.push((
+    let mirrored = nose(smooth, |[x, y]| [-x, y], true, "");
+    let pushed = "loads.0.force.direction=[-0.1, -1]";
+    near("mirrored", numbers(&mirrored, &[pushed]), still, 1e-9);
+    for ways in [round, ["arc", "spline"], ["spline", "arc"]] {
+        near(
+            ways[0],
+            numbers(&nose(ways, whole, false, ""), &[]),
+            still,
+            5e-4,
+        );
+    }
+    // Triangles of turned bodies are others, the same with arcs as with splines.
+    let (sin, cos) = (PI / 6.0).sin_cos();
+    let [x, y] = [0.1 * cos + sin, 0.1 * sin - cos];
+    let pushed = format!("loads.0.force.direction=[{x}, {y}]");
+    let turned = numbers(
+        &nose(smooth, whole, false, r#"angle = "30 deg""#),
+        &[&pushed],
+    );
+    let arcs = numbers(
+        &nose(round, whole, false, r#"angle = "30 deg""#),
+        &[&pushed],
+    );
+    near("turned", turned, arcs, 5e-4);
+    near("turned", turned, still, 5e-3);
+    let drawn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+    near(
         "drawn turned",
-        numbers(&nose(["spline", "spline"], turned, false, ""), &[&pushed]),
-    ));
-    let mirrored = |[x, y]: [f64; 2]| [-x, y];
-    found.push((
-        "mirrored",
-        numbers(
-            &nose(["spline", "spline"], mirrored, true, ""),
-            &["loads.0.force.direction=[-0.1, -1]"],
-        ),
-    ));
-    for ways in [["arc", "arc"], ["arc", "spline"], ["spline", "arc"]] {
-        found.push((ways[0], numbers(&nose(ways, whole, false, ""), &[])));
-    }
-    for (name, own) in &found {
-        eprintln!("{name}: {:?}", [0, 1, 2].map(|k| own[k] / still[k] - 1.0));
-    }
-    for (name, own) in found {
-        for (own, still) in own.into_iter().zip(still) {
-            assert!((own / still - 1.0).abs() < 1e-3, "{name}: {own} {still}");
-        }
-    }
-}
-
-/// The strip of 40 mm with a circle of radius 10 mm cut out of it as splines of these names, each through three points between its ends, under 100 MPa of tension.
-fn pulled(names: &[&str], reported: &[&str]) -> Results {
-    let count = names.len();
-    let at = |turn: f64| {
-        let (sin, cos) = (TAU * turn / count as f64).sin_cos();
-        place([10.0 * cos, 10.0 * sin])
-    };
-    let edges = names.iter().enumerate().map(|(k, name)| {
-        let from = k as f64;
-        let to = if k + 1 < count { format!("to = {}, ", at(from + 1.0)) } else { String::new() };
-        let inner: Vec<String> = (1..8).map(|part| at(from + f64::from(part) / 8.0)).collect();
-        let [leaves, arrives] = [from, from + 1.0].map(|own| 90.0 + 360.0 * own / count as f64);
-        format!(
-            r#"{{ name = "{name}", {to}spline = [{}], leaves = "{leaves} deg", arrives = "{arrives} deg", refine = 16 }}"#,
-            inner.join(", ")
-        )
-    });
-    let edges: Vec<String> = edges.collect();
-    let reported: String = (reported.iter())
-        .map(|on| format!("[[edges]]\non = \"plate.{on}\"\n"))
-        .collect();
-    solved(
-        &format!(
-            r#"
-version = 1
-materials.metal.isotropic = {{ young = "70 GPa", poisson = 0.33 }}
-[bodies.plate]
-material = "metal"
-thickness = "1 mm"
-mesh.spacing = "4 mm"
-[bodies.plate.shape.outline]
-start = ["-120 mm", "-20 mm"]
-edges = [{{ name = "bottom", to = ["120 mm", "-20 mm"] }}, {{ name = "right", to = ["120 mm", "20 mm"] }}, {{ name = "top", to = ["-120 mm", "20 mm"] }}, {{ name = "left" }}]
-cutouts.round = {{ start = {}, edges = [{}] }}
-[[supports]]
-on = "plate.left"
-fix = ["x", "y"]
-[[loads]]
-on = "plate.right"
-pressure.steps = ["-100 MPa"]
-{reported}[output]
-fields = "none"
-figures = false
-"#,
-            at(0.0),
-            edges.join(", ")
-        ),
-        &[],
-    )
-}
-
-/// Howland's problem of an infinitely long strip, solved to 6 digits, with results over the length of splines of 60°, of which the second and the fifth lie across the tension.
-#[test]
-fn a_circle_of_splines_concentrates_stresses_as_a_hole_does() {
-    let results = pulled(&["a", "b", "c", "d", "e", "f"], &["b", "e"]);
-    for edge in &results.steps[0].edges {
-        let (peak, at) = edge.peak_hoop.unwrap();
-        close(peak / 100.0, 4.347_60, 1e-3);
-        assert!(at.abs() < 0.3, "{at}");
-    }
-    for edge in &results.edges {
-        let half = 10.0 * PI / 6.0;
-        close(edge.parameter[0], -half, 1e-6);
-        close(edge.parameter[edge.parameter.len() - 1], half, 1e-6);
-    }
-}
-
-fn refusal(text: &str, changes: &[&str]) -> String {
-    let path = std::path::Path::new("");
-    let read = Scene::from_text(text, Format::Toml, "scene.toml", path, changes);
-    read.expect_err("a refusal").to_string()
-}
-
-#[test]
-fn what_makes_no_spline_is_refused_with_its_line() {
-    let text = nose(["spline", "spline"], |at| at, false, "");
-    let key = "bodies.nose.shape.outline.edges.1";
-    for (change, messages) in [
-        (
-            r#"spline=[]"#,
-            ["has no point between its ends", "remove `spline`"],
-        ),
-        (
-            r#"spline=[["1 mm", "0 mm"], ["1 mm", "0 mm"]]"#,
-            [
-                "passes (1.000000, 0.000000) twice in a row",
-                "remove one of the two points",
-            ],
-        ),
-        (
-            r#"spline=[["1 mm", "0 mm"], ["1.01 mm", "0 mm"], ["0.99 mm", "0.01 mm"], ["3 mm", "0 mm"]]"#,
-            ["turns with a radius of", "give more points there"],
-        ),
-        (
-            r#"spline=[["4 mm", "-1 mm"], ["0 mm", "-2 mm"], ["0 mm", "0 mm"], ["3 mm", "-2 mm"]]"#,
-            ["meets itself near", "change its points"],
-        ),
-        (
-            r#"spline=[["0 mm", "8 mm"]]"#,
-            ["meet near", "change the edges"],
-        ),
-        (r#"through=["0 mm", "0 mm"]"#, ["through", "spline"]),
-        (r#"spline=["0 mm", "0 mm"]"#, ["spline", "two lengths"]),
-    ] {
-        let message = refusal(&text, &[&format!("{key}.{change}")]);
-        for expected in messages {
-            assert!(message.contains(expected), "{change}: {message}");
-        }
-    }
-    let arcs = nose(["arc", "arc"], |at| at, false, "");
-    let message = refusal(&arcs, &[&format!(r#"{key}.leaves="10 deg""#)]);
-    assert!(message.contains("`leaves` is for splines"), "{message}");
-    let at_line = text.replace("spline = [", r#"spline = [["-4 mm", "0.267857 mm"], "#);
-    let message = refusal(&at_line, &[]);
-    assert!(message.contains("scene.toml:"), "{message}");
-}
-
-#[test]
-fn gaps_on_the_deformed_geometry_are_refused_as_of_arcs() {
-    let message = |way: [&str; 2]| {
-        let text = nose(way, |at| at, false, "");
-        Model::build(&scene(&text, &["analysis.kinematics=deformed-gaps"]))
-            .unwrap_err()
-            .to_string()
-    };
-    assert!(message(["spline", "spline"]).contains("deformed-gaps"));
-    assert_eq!(message(["spline", "spline"]), message(["arc", "arc"]));
+        numbers(&nose(smooth, drawn, false, ""), &[&pushed]),
+        turned,
+        1e-9,
+    );
 }

@@ -1,0 +1,186 @@
+//! Splines in cut-outs and in meshes from files, and what is refused.
+
+use std::f64::consts::{PI, TAU};
+use std::fs;
+use std::path::Path;
+
+use stickslip::model::Model;
+use stickslip::results::Results;
+use stickslip::scene::{Format, Scene};
+use tempfile::TempDir;
+
+use super::{close, edge, nose, place};
+use crate::{results, scene, scene_in, solved};
+
+/// The strip of 40 mm with a circle of radius 10 mm cut out of it as splines of these names, each through three points between its ends, under 100 MPa of tension.
+fn pulled(names: &[&str], reported: &[&str]) -> Results {
+    let count = names.len();
+    let at = |turn: f64| {
+        let (sin, cos) = (TAU * turn / count as f64).sin_cos();
+        place([10.0 * cos, 10.0 * sin])
+    };
+    let edges = names.iter().enumerate().map(|(k, name)| {
+        let from = k as f64;
+        let to = if k + 1 < count { format!("to = {}, ", at(from + 1.0)) } else { String::new() };
+        let inner: Vec<String> = (1..8).map(|part| at(from + f64::from(part) / 8.0)).collect();
+        let [leaves, arrives] = [from, from + 1.0].map(|own| 90.0 + 360.0 * own / count as f64);
+        format!(
+            r#"{{ name = "{name}", {to}spline = [{}], leaves = "{leaves} deg", arrives = "{arrives} deg", refine = 16 }}"#,
+            inner.join(", ")
+        )
+    });
+    let edges: Vec<String> = edges.collect();
+    let reported: String = (reported.iter())
+        .map(|on| format!("[[edges]]\non = \"plate.{on}\"\n"))
+        .collect();
+    solved(
+        &format!(
+            r#"
+version = 1
+materials.metal.isotropic = {{ young = "70 GPa", poisson = 0.33 }}
+[bodies.plate]
+material = "metal"
+thickness = "1 mm"
+mesh.spacing = "4 mm"
+[bodies.plate.shape.outline]
+start = ["-120 mm", "-20 mm"]
+edges = [{{ name = "bottom", to = ["120 mm", "-20 mm"] }}, {{ name = "right", to = ["120 mm", "20 mm"] }}, {{ name = "top", to = ["-120 mm", "20 mm"] }}, {{ name = "left" }}]
+cutouts.round = {{ start = {}, edges = [{}] }}
+[[supports]]
+on = "plate.left"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.right"
+pressure.steps = ["-100 MPa"]
+{reported}[output]
+fields = "none"
+figures = false
+"#,
+            at(0.0),
+            edges.join(", ")
+        ),
+        &[],
+    )
+}
+
+/// Howland's problem of an infinitely long strip, solved to 6 digits, with results over the length of splines of 60°, of which the second and the fifth lie across the tension.
+#[test]
+fn a_circle_of_splines_concentrates_stresses_as_a_hole_does() {
+    let results = pulled(&["a", "b", "c", "d", "e", "f"], &["b", "e"]);
+    for edge in &results.steps[0].edges {
+        let (peak, at) = edge.peak_hoop.unwrap();
+        close(peak / 100.0, 4.347_60, 1e-3);
+        assert!(at.abs() < 0.3, "{at}");
+    }
+    for edge in &results.edges {
+        let half = 10.0 * PI / 6.0;
+        close(edge.parameter[0], -half, 1e-6);
+        close(edge.parameter[edge.parameter.len() - 1], half, 1e-6);
+    }
+}
+
+/// Messages and remedies of a scene that is refused.
+fn refusal(folder: &Path, text: &str, changes: &[&str]) -> String {
+    let read = Scene::from_text(text, Format::Toml, "scene.toml", folder, changes);
+    let error = read.expect_err("a refusal");
+    let summaries = error.findings().iter().map(|own| own.summary());
+    let texts = summaries.map(|own| {
+        let line = own.line.expect("a line");
+        format!("{line}: {} {}", own.message, own.help.unwrap_or_default())
+    });
+    texts.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn what_makes_no_spline_is_refused_with_its_line() {
+    let text = nose(["spline", "spline"], |at| at, false, "");
+    let refusal = |text: &str, change: &str| {
+        let changes = [format!("bodies.nose.shape.outline.edges.1.{change}")];
+        refusal(Path::new(""), text, &changes.each_ref().map(String::as_str))
+    };
+    for (change, messages) in [
+        (
+            r#"spline=[]"#,
+            ["has no point between its ends", "remove `spline`"],
+        ),
+        (
+            r#"spline=[["1 mm", "0 mm"], ["1 mm", "0 mm"]]"#,
+            [
+                "passes (1.000000, 0.000000) twice in a row",
+                "remove one of the two points",
+            ],
+        ),
+        (
+            r#"spline=[["1 mm", "0 mm"], ["1.01 mm", "0 mm"], ["0.99 mm", "0.01 mm"], ["3 mm", "0 mm"]]"#,
+            ["turns with a radius of", "give more points there"],
+        ),
+        (
+            r#"spline=[["4 mm", "-1 mm"], ["0 mm", "-2 mm"], ["0 mm", "0 mm"], ["3 mm", "-2 mm"]]"#,
+            ["meets itself near", "change its points"],
+        ),
+        (
+            r#"spline=[["0 mm", "8 mm"]]"#,
+            ["meet near", "change the edges"],
+        ),
+        (r#"through=["0 mm", "0 mm"]"#, ["through", "spline"]),
+        (r#"spline=["0 mm", "0 mm"]"#, ["spline", "mm"]),
+    ] {
+        let message = refusal(&text, change);
+        for expected in messages {
+            assert!(message.contains(expected), "{change}: {message}");
+        }
+    }
+    let arcs = nose(["arc", "arc"], |at| at, false, "");
+    let message = refusal(&arcs, r#"leaves="10 deg""#);
+    assert!(message.contains("`leaves` is for splines"), "{message}");
+}
+
+#[test]
+fn gaps_on_the_deformed_geometry_are_refused_as_of_arcs() {
+    let message = |way: [&str; 2]| {
+        let text = nose(way, |at| at, false, "");
+        Model::build(&scene(&text, &["analysis.kinematics=deformed-gaps"]))
+            .unwrap_err()
+            .to_string()
+    };
+    assert!(message(["spline", "spline"]).contains("deformed-gaps"));
+    assert_eq!(message(["spline", "spline"]), message(["arc", "arc"]));
+}
+
+/// The nose as a file: its face is a spline through its nodes where the scene says so, and unknown otherwise.
+#[test]
+fn an_edge_of_a_file_is_a_spline_where_it_is_said() {
+    let text = nose(["spline", "arc"], |at| at, false, "");
+    let own = solved(&text, &[]);
+    let folder = TempDir::new().unwrap();
+    let body = own.bodies.iter().find(|body| body.name == "nose").unwrap();
+    let mesh = body.mesh.as_deref().unwrap();
+    let written = stickslip_mesh_files::write_msh(mesh).unwrap();
+    fs::write(folder.path().join("nose.msh"), written).unwrap();
+    let start = text.rfind("shape.outline").unwrap();
+    let end = start + text[start..].find("\n[mesh]").unwrap();
+    let given = |splines: &str| {
+        let file = format!("shape.mesh = {{ file = \"nose.msh\", unit = \"mm\"{splines} }}");
+        format!("{}{file}{}", &text[..start], &text[end..])
+    };
+    let found = results(&scene_in(
+        folder.path(),
+        &given(", splines = [\"face\"]"),
+        &[],
+    ));
+    let [a, b] = [&found, &own].map(edge);
+    close(a.peak_pressure.unwrap().0, b.peak_pressure.unwrap().0, 1e-3);
+    close(
+        a.contact_half_extent.unwrap(),
+        b.contact_half_extent.unwrap(),
+        1e-3,
+    );
+    for (splines, expected) in [
+        ("", "open edges"),
+        (", splines = [\"top\"]", "edge 'top' is a line or a circle"),
+        (", splines = [\"crown\"]", "it has no edge 'crown'"),
+    ] {
+        let message = refusal(folder.path(), &given(splines), &[]);
+        assert!(message.contains(expected), "{splines}: {message}");
+    }
+}
