@@ -127,7 +127,7 @@ impl Keys {
         ));
         let invalid = |cause: String| refused("file", cause, MEND);
         let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
-        let plain = placed(own.parts, scale, &mut notes).map_err(invalid)?;
+        let plain = placed(own.parts, &self.splines, scale, &mut notes).map_err(invalid)?;
         let on_splines = splines::put_on(plain, &self.splines);
         let (plain, moved) =
             on_splines.map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;

@@ -3,9 +3,10 @@
 use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
 use stickslip_mesh_files::{recognise_set, snap, snap_pieces};
 
-/// The mesh of a file in mm, with the known curves of its edges and its mid nodes on them; `notes` get what was moved.
+/// The mesh of a file in mm, with the known curves of its edges but `splines`, and its mid nodes on them; `notes` get what was moved.
 pub(super) fn placed(
     mut parts: MeshParts,
+    splines: &[String],
     scale: f64,
     notes: &mut Vec<String>,
 ) -> Result<Mesh, String> {
@@ -28,6 +29,7 @@ pub(super) fn placed(
                     set.curve = Some(curve);
                 }
             }
+            Err(_) if splines.contains(name) => {}
             Err(_) => {
                 let moved = snap_pieces(&mut parts, name).unwrap_or_default();
                 if moved > 0 {

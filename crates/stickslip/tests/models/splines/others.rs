@@ -4,12 +4,13 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::Path;
 
+use stickslip::host::HOST;
 use stickslip::model::Model;
 use stickslip::results::Results;
 use stickslip::scene::{Format, Scene};
 use tempfile::TempDir;
 
-use super::{close, edge, nose, place};
+use super::{close, edge, nose, place, points, pressed, spline};
 use crate::{results, scene, scene_in, solved};
 
 /// The strip of 40 mm with a circle of radius 10 mm cut out of it as splines of these names, each through three points between its ends, under 100 MPa of tension.
@@ -81,8 +82,8 @@ fn a_circle_of_splines_concentrates_stresses_as_a_hole_does() {
 
 /// Messages and remedies of a scene that is refused.
 fn refusal(folder: &Path, text: &str, changes: &[&str]) -> String {
-    let read = Scene::from_text(text, Format::Toml, "scene.toml", folder, changes);
-    let error = read.expect_err("a refusal");
+    let read = Scene::from_text_on(text, Format::Toml, "scene.toml", folder, changes, HOST);
+    let error = read.map(|_| changes).expect_err("a refusal");
     let summaries = error.findings().iter().map(|own| own.summary());
     let texts = summaries.map(|own| {
         let line = own.line.expect("a line");
@@ -122,7 +123,6 @@ fn what_makes_no_spline_is_refused_with_its_line() {
             r#"spline=[["0 mm", "8 mm"]]"#,
             ["meet near", "change the edges"],
         ),
-        (r#"through=["0 mm", "0 mm"]"#, ["through", "spline"]),
         (r#"spline=["0 mm", "0 mm"]"#, ["spline", "mm"]),
     ] {
         let message = refusal(&text, change);
@@ -131,6 +131,12 @@ fn what_makes_no_spline_is_refused_with_its_line() {
         }
     }
     let arcs = nose(["arc", "arc"], |at| at, false, "");
+    let both = text.replacen("spline = [", r#"through = ["0 mm", "9 mm"], spline = ["#, 1);
+    let message = refusal(&both, "refine=6");
+    assert!(
+        message.contains("through") && message.contains("both"),
+        "{message}"
+    );
     let message = refusal(&arcs, r#"leaves="10 deg""#);
     assert!(message.contains("`leaves` is for splines"), "{message}");
 }
@@ -147,40 +153,49 @@ fn gaps_on_the_deformed_geometry_are_refused_as_of_arcs() {
     assert_eq!(message(["spline", "spline"]), message(["arc", "arc"]));
 }
 
-/// The nose as a file: its face is a spline through its nodes where the scene says so, and unknown otherwise.
+/// A punch of a parabola as a file: its face is a spline through its nodes where the scene says so.
 #[test]
 fn an_edge_of_a_file_is_a_spline_where_it_is_said() {
-    let text = nose(["spline", "arc"], |at| at, false, "");
-    let own = solved(&text, &[]);
-    let folder = TempDir::new().unwrap();
-    let body = own.bodies.iter().find(|body| body.name == "nose").unwrap();
-    let mesh = body.mesh.as_deref().unwrap();
-    let written = stickslip_mesh_files::write_msh(mesh).unwrap();
-    fs::write(folder.path().join("nose.msh"), written).unwrap();
+    let parabola = |part: f64| [10.0 * part, 2.5 * part * part];
+    let way = spline(&points(9, parabola));
+    let text = pressed(&way, [parabola(-1.0), parabola(1.0)], 1500.0, (40.0, 2.0));
     let start = text.rfind("shape.outline").unwrap();
     let end = start + text[start..].find("\n[mesh]").unwrap();
     let given = |splines: &str| {
-        let file = format!("shape.mesh = {{ file = \"nose.msh\", unit = \"mm\"{splines} }}");
+        let file = format!("shape.mesh = {{ file = \"roller.msh\", unit = \"mm\"{splines} }}");
         format!("{}{file}{}", &text[..start], &text[end..])
     };
-    let found = results(&scene_in(
-        folder.path(),
-        &given(", splines = [\"face\"]"),
-        &[],
-    ));
-    let [a, b] = [&found, &own].map(edge);
-    close(a.peak_pressure.unwrap().0, b.peak_pressure.unwrap().0, 1e-3);
-    close(
-        a.contact_half_extent.unwrap(),
-        b.contact_half_extent.unwrap(),
-        1e-3,
-    );
+    let folder = TempDir::new().unwrap();
+    for element in ["T6", "T3"] {
+        let changes = [format!("mesh.element={element}")];
+        let changes = changes.each_ref().map(String::as_str);
+        let own = solved(&text, &changes);
+        let body = own
+            .bodies
+            .iter()
+            .find(|body| body.name == "roller")
+            .unwrap();
+        let written = stickslip_mesh_files::write_msh(body.mesh.as_deref().unwrap()).unwrap();
+        fs::write(folder.path().join("roller.msh"), written).unwrap();
+        let text = given(", splines = [\"face\"]");
+        let found = results(&scene_in(folder.path(), &text, &changes));
+        let [a, b] = [&found, &own].map(edge);
+        close(a.peak_pressure.unwrap().0, b.peak_pressure.unwrap().0, 1e-4);
+        close(
+            a.contact_half_extent.unwrap(),
+            b.contact_half_extent.unwrap(),
+            1e-4,
+        );
+    }
     for (splines, expected) in [
-        ("", "open edges"),
-        (", splines = [\"top\"]", "edge 'top' is a line or a circle"),
-        (", splines = [\"crown\"]", "it has no edge 'crown'"),
+        ("[\"top\"]", "edge 'top' is a line or a circle"),
+        ("[\"crown\"]", "it has no edge 'crown'"),
     ] {
-        let message = refusal(folder.path(), &given(splines), &[]);
+        let message = refusal(
+            folder.path(),
+            &given(&format!(", splines = {splines}")),
+            &[],
+        );
         assert!(message.contains(expected), "{splines}: {message}");
     }
 }
