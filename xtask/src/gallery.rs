@@ -15,7 +15,7 @@ use stickslip::scene::Scene;
 use crate::publish::{TaskError, root};
 
 /// Scenes, and the figure that is shown of each beside its sketch.
-const SHOWN: [(&str, &str); 17] = [
+const SHOWN: [(&str, &str); 18] = [
     ("pin-loaded-aluminium", "pressure-pin"),
     ("pin-quasi-isotropic", "stresses-coulomb"),
     ("bushed-pin", "field-von-mises"),
@@ -31,6 +31,7 @@ const SHOWN: [(&str, &str); 17] = [
     ("rounded-punch", "shear-block"),
     ("dovetail", "field-von-mises"),
     ("roller", "pressure-plate"),
+    ("cam", "pressure-cam"),
     ("fretting-half-planes", "shear-cylinder"),
     ("open-hole", "field-von-mises"),
 ];

@@ -248,7 +248,7 @@ impl Builder<'_> {
             format!("swap them: first = \"{second}\", second = \"{first}\"")
         } else {
             "first is a circular hole and second the rim of a disk or the outer edge of a ring, or first the contact edge of a \
-             cylinder and second that of a block, or both are open edges whose lines, arcs and splines are known: of outlines and rectangles, and of meshes along one line or circle"
+             cylinder and second that of a block, or both are open edges whose lines, arcs and splines are known: of outlines and rectangles, and of meshes along lines and arcs, or named in `splines` of their mesh"
                 .to_owned()
         };
         let problem = SceneProblem::ContactPair {

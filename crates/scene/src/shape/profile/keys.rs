@@ -47,7 +47,7 @@ const EDGE: [Key; 7] = [
     ),
     words(
         "spline",
-        "list of two lengths",
+        "list of pairs of lengths",
         "a straight edge",
         r#"[["52 mm", "-6 mm"], ["55 mm", "4 mm"], ["50 mm", "14 mm"]]"#,
         "points between its ends in walk order, through which it is a smooth curve",
