@@ -151,7 +151,7 @@ fn slots_and_bodies_with_places_are_copied() {
         + r#"
 [bodies.plate.shape.outline.cutouts.slot]
 start = ["-4 mm", "-2 mm"]
-edges = [{ name = "low", to = ["4 mm", "-2 mm"] }, { name = "end", to = ["4 mm", "2 mm"], through = ["6 mm", "0 mm"] }, { name = "high", to = ["-4 mm", "2 mm"] }, { name = "back" }]
+edges = [{ name = "low", to = ["4 mm", "-2 mm"] }, { name = "end", to = ["4 mm", "2 mm"], through = ["6 mm", "0 mm"] }, { name = "high", to = ["-4 mm", "2 mm"], spline = [["2 mm", "2.5 mm"], ["-1 mm", "2.25 mm"]], leaves = "160 deg" }, { name = "back" }]
 pattern = { columns = 2, pitch = ["30 mm", "0 mm"] }
 [bodies.stud]
 material = "metal"
@@ -174,6 +174,16 @@ pressure.steps = ["1 MPa"]
     let scene = read(&text, &["mesh.spacing=4 mm"]).unwrap();
     let edge = scene.bodies["plate"].shape.edge("end_1_2").unwrap();
     assert!(edge.curve.path().unwrap().at(0.0)[0] > 33.0);
+    // The walk around a cut-out has the body on its left.
+    let curves = ["high_1_1", "high_1_2"].map(|name| {
+        let edge = scene.bodies["plate"].shape.edge(name).unwrap();
+        edge.curve.path().unwrap()
+    });
+    assert_eq!(curves[0].at(0.0), [-4.0, 2.0]);
+    for part in [0.0, 0.3, 0.8, 1.0] {
+        let [own, copy] = curves.each_ref().map(|path| path.at(part * path.length()));
+        assert!((copy[0] - own[0] - 30.0).abs() < 1e-12 && (copy[1] - own[1]).abs() < 1e-12);
+    }
     assert_eq!(scene.bodies["stud_1_2"].position, [30.0, 60.0]);
     assert_eq!(scene.supports[2].on.to_string(), "plate.back_1_2");
     assert_eq!(scene.loads.len(), 3);
