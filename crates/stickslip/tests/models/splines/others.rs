@@ -123,7 +123,10 @@ fn what_makes_no_spline_is_refused_with_its_line() {
             r#"spline=[["0 mm", "8 mm"]]"#,
             ["meet near", "change the edges"],
         ),
-        (r#"spline=["0 mm", "0 mm"]"#, ["spline", "mm"]),
+        (
+            r#"spline=["0 mm", "0 mm"]"#,
+            ["expected a list of 2 values", "give a list"],
+        ),
     ] {
         let message = refusal(&text, change);
         for expected in messages {
