@@ -20,6 +20,14 @@ const DEPTH: usize = 48;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cubic(pub(crate) [Point; 4]);
 
+/// ∫ f(t) dt from 0 to `end`.
+fn integral(end: f64, value: impl Fn(f64) -> f64) -> f64 {
+    let half = 0.5 * end;
+    let rule = edge_rule(8).iter();
+    rule.map(|&(xi, weight)| half * weight * value(half * (1.0 + xi)))
+        .sum()
+}
+
 impl Cubic {
     pub(crate) fn at(&self, t: f64) -> Point {
         let [a, b, c, d] = self.0;
@@ -90,17 +98,9 @@ impl Cubic {
         Self(self.0.map(|at| along(at, 1.0, by)))
     }
 
-    /// ∫ f(t) dt from 0 to `end`.
-    fn integral(&self, end: f64, value: impl Fn(f64) -> f64) -> f64 {
-        let half = 0.5 * end;
-        let rule = edge_rule(8).iter();
-        rule.map(|&(xi, weight)| half * weight * value(half * (1.0 + xi)))
-            .sum()
-    }
-
     /// Arc length from t = 0 to `end` of a plain cubic `[length]`.
     pub(crate) fn length(&self, end: f64) -> f64 {
-        self.integral(end, |t| {
+        integral(end, |t| {
             let slope = self.slope(t);
             dot(slope, slope).sqrt()
         })
@@ -119,7 +119,7 @@ impl Cubic {
 
     /// ½ ∫ x × dx about `origin` `[length²]`.
     pub(crate) fn area(&self, origin: Point) -> f64 {
-        0.5 * self.integral(1.0, |t| cross(minus(self.at(t), origin), self.slope(t)))
+        0.5 * integral(1.0, |t| cross(minus(self.at(t), origin), self.slope(t)))
     }
 
     /// The nearest point of a plain cubic to one that is nearer to it than the centres of its curvature: t, and the distance.
