@@ -35,7 +35,7 @@ pub(super) const ROWS: &[Key] = &[
     text("file", REQUIRED, r#""data/lug.inp""#, "the file, relative to the folder of the scene"),
     words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
     text("elements", NONE, r#""body""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
-    words("splines", "list of edges", NONE, r#"["crown"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
+    words("splines", "list of edges", NONE, r#"["end"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -128,17 +128,8 @@ impl Keys {
         let invalid = |cause: String| refused("file", cause, MEND);
         let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
         let plain = placed(own.parts, &self.splines, scale, &mut notes).map_err(invalid)?;
-        let on_splines = splines::put_on(plain, &self.splines);
-        let (plain, moved) =
-            on_splines.map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;
-        let moved = self
-            .splines
-            .iter()
-            .zip(moved)
-            .filter(|(_, count)| *count > 0);
-        notes.extend(moved.map(|(name, count)| {
-            format!("{count} mid nodes of '{name}' were put from chords onto its spline")
-        }));
+        let plain = splines::put_on(plain, &self.splines, &mut notes)
+            .map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;
         let given = GivenMesh {
             file: self.file.clone(),
             digest,

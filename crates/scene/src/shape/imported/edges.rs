@@ -17,7 +17,8 @@ pub(super) fn edges<'a>(
 ) -> Vec<Edge> {
     let edge = |name: &str| {
         let path = mesh.edge_path(name).ok();
-        let is_spline = splines.iter().any(|own| own == name);
+        let is_known = mesh.edge_set(name).is_ok_and(|set| set.curve.is_some());
+        let is_spline = !is_known && splines.iter().any(|own| own == name);
         let spline = path
             .as_ref()
             .filter(|_| is_spline)

@@ -25,15 +25,23 @@ pub(super) fn spline(mesh: &Mesh, path: &EdgePath) -> Option<Curve> {
     Curve::spline([*from, *to], &course)
 }
 
-/// The mesh with the mid nodes of the edges `names` on their splines, and how many of each were put there from chords.
+/// The mesh with the mid nodes of the edges `names` on their splines; `notes` get what was moved, and which edges are lines or circles instead.
 ///
 /// # Errors
 /// What is wrong with an edge, and what to do.
-pub(super) fn put_on(mesh: Mesh, names: &[String]) -> Result<(Mesh, Vec<usize>), [String; 2]> {
+pub(super) fn put_on(
+    mesh: Mesh,
+    names: &[String],
+    notes: &mut Vec<String>,
+) -> Result<Mesh, [String; 2]> {
     let mut places = mesh.nodes().to_vec();
-    let mut counts = Vec::new();
     for name in names {
-        let path = checked(&mesh, name)?;
+        let Some(path) = checked(&mesh, name)? else {
+            notes.push(format!(
+                "'{name}' of `splines` is a line or a circle, and stays one"
+            ));
+            continue;
+        };
         let curve = spline(&mesh, &path).and_then(|own| own.path());
         let curve = curve.ok_or_else(|| {
             let cause = format!("no spline passes the nodes of edge '{name}'");
@@ -44,38 +52,39 @@ pub(super) fn put_on(mesh: Mesh, names: &[String]) -> Result<(Mesh, Vec<usize>),
                 ),
             ]
         })?;
+        if path.order == 1 || is_curved(&mesh, &path) {
+            continue;
+        }
         let middles = path.nodes.iter().enumerate();
-        let middles = middles.filter(|(k, _)| k % path.order != 0 && !is_curved(&mesh, &path));
-        let mut count = 0;
+        let middles = middles.filter(|(k, _)| k % path.order != 0);
         for (_, &node) in middles {
             places[node] = curve.at(curve.nearest(places[node]));
-            count += 1;
         }
-        counts.push(count);
+        notes.push(format!(
+            "the mid nodes of '{name}' were put from chords onto its spline"
+        ));
     }
     let mut parts = mesh.into_parts();
     parts.nodes = places;
-    let made = Mesh::new(parts).map_err(|cause| {
+    Mesh::new(parts).map_err(|cause| {
         let cause = format!("its cells along splines are not valid: {cause}");
         [cause, "give these edges more cells".to_owned()]
-    })?;
-    Ok((made, counts))
+    })
 }
 
-/// The open chain of an edge that is no known curve and has no corner.
-fn checked(mesh: &Mesh, name: &str) -> Result<EdgePath, [String; 2]> {
+/// The open chain of an edge without a corner; none of a line or a circle.
+fn checked(mesh: &Mesh, name: &str) -> Result<Option<EdgePath>, [String; 2]> {
     let set = mesh.edge_set(name).map_err(|_| {
         let known: Vec<&str> = mesh.edge_set_names().collect();
         let remedy = format!("edges of the file: {}", known.join(", "));
         [format!("it has no edge '{name}'"), remedy]
     })?;
-    let needless = || format!("remove '{name}' from `splines`");
     if set.curve.is_some() {
-        return Err([format!("edge '{name}' is a line or a circle"), needless()]);
+        return Ok(None);
     }
     let path = mesh
         .edge_path(name)
-        .map_err(|cause| [cause.to_string(), needless()])?;
+        .map_err(|cause| [cause.to_string(), format!("remove '{name}' from `splines`")])?;
     if path.closed {
         let cause = format!("edge '{name}' is closed, and splines have ends");
         return Err([
@@ -103,7 +112,7 @@ fn checked(mesh: &Mesh, name: &str) -> Result<EdgePath, [String; 2]> {
             ]);
         }
     }
-    Ok(path)
+    Ok(Some(path))
 }
 
 /// Whether a mid node of the chain is off its chord.

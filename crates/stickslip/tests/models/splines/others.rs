@@ -190,15 +190,16 @@ fn an_edge_of_a_file_is_a_spline_where_it_is_said() {
             1e-4,
         );
     }
-    for (splines, expected) in [
-        ("[\"top\"]", "edge 'top' is a line or a circle"),
-        ("[\"crown\"]", "it has no edge 'crown'"),
-    ] {
-        let message = refusal(
-            folder.path(),
-            &given(&format!(", splines = {splines}")),
-            &[],
-        );
-        assert!(message.contains(expected), "{splines}: {message}");
-    }
+    let known = scene_in(
+        folder.path(),
+        &given(", splines = [\"top\", \"face\"]"),
+        &[],
+    );
+    let notes = known.bodies["roller"].shape.notes();
+    assert!(
+        notes[0].contains("'top' of `splines` is a line"),
+        "{notes:?}"
+    );
+    let message = refusal(folder.path(), &given(", splines = [\"crown\"]"), &[]);
+    assert!(message.contains("it has no edge 'crown'"), "{message}");
 }
