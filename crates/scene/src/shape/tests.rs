@@ -1,5 +1,6 @@
 //! The contract of a shape, for every shape of the list.
 
+use std::f64::consts::PI;
 use std::path::Path;
 
 use stickslip_fem_core::generate::{self, Extent, Generate, Growth, PlateWithHole, uniform_angles};
@@ -302,13 +303,12 @@ fn edges_reach_the_ends_that_they_state() {
 fn the_extent_holds_all_nodes_and_is_reached() {
     all(|name, shape, _, extent, nodes| {
         let [low, high] = shape.bounds();
-        // A steep arc reaches farthest between two nodes.
-        let steep = |edge: &Edge| matches!(edge.curve, Curve::Arc { turn, .. } if turn > STEEP);
-        let apart = if shape.edges().iter().any(steep) {
-            0.01
-        } else {
-            EXACT
+        // A steep arc reaches farthest between two nodes, which are 15° apart at most.
+        let rise = |edge: &Edge| match edge.curve {
+            Curve::Arc { turn, radius, .. } if turn > STEEP => radius * (1.0 - (PI / 24.0).cos()),
+            _ => 0.0,
         };
+        let apart = shape.edges().iter().map(rise).fold(EXACT, f64::max);
         for axis in [0, 1] {
             let along = nodes.iter().map(|node| node[axis]);
             let (least, most) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {

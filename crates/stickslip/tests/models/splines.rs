@@ -182,6 +182,34 @@ fn a_punch_of_fourth_order_presses_as_steuermann_says() {
     assert!(apart < 0.01 * peak, "{}", apart / peak);
 }
 
+/// The shape with these edges, each with its end and its way there; points go through `put`, the edges turned round where `is_mirrored`.
+fn outline(
+    start: [f64; 2],
+    edges: &[(&str, [f64; 2], String)],
+    put: impl Fn([f64; 2]) -> [f64; 2],
+    is_mirrored: bool,
+) -> String {
+    let mut names: Vec<(&str, &String)> = Vec::new();
+    let mut ends: Vec<[f64; 2]> = vec![start];
+    for (name, to, way) in edges {
+        names.push((name, way));
+        ends.push(*to);
+    }
+    if is_mirrored {
+        names.reverse();
+        ends.reverse();
+    }
+    let list = names.iter().zip(&ends[1..]).map(|((name, way), to)| {
+        format!(r#"{{ name = "{name}", to = {}{way} }}"#, place(put(*to)))
+    });
+    let list: Vec<String> = list.collect();
+    format!(
+        "shape.outline = {{ start = {}, edges = [{}] }}",
+        place(put(ends[0])),
+        list.join(", ")
+    )
+}
+
 /// A nose between a spline and a line, pressed on a block by a spline, with friction; points go through `put`, turned round where `is_mirrored`.
 fn nose(
     way: [&str; 2],
@@ -215,28 +243,7 @@ fn nose(
         curve(way[1], 10.0, -10.0, hollow),
     ];
     let outline = |start: [f64; 2], edges: &[(&str, [f64; 2], String)]| {
-        let mut names: Vec<(&str, String)> = Vec::new();
-        let mut ends: Vec<[f64; 2]> = vec![start];
-        for (name, to, way) in edges {
-            names.push((name, way.clone()));
-            ends.push(*to);
-        }
-        if is_mirrored {
-            names.reverse();
-            ends.reverse();
-        }
-        let list = names.iter().zip(&ends[1..]).map(|((name, way), to)| {
-            format!(
-                r#"{{ name = "{name}", to = {}{way} }}"#,
-                self::place(put(*to))
-            )
-        });
-        let list: Vec<String> = list.collect();
-        format!(
-            "shape.outline = {{ start = {}, edges = [{}] }}",
-            self::place(put(ends[0])),
-            list.join(", ")
-        )
+        outline(start, edges, &put, is_mirrored)
     };
     let fine = |way: &str| format!(", {way}, refine = 6");
     let block = outline(

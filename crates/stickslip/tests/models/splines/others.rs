@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::Path;
 
+use stickslip::diagnostic::Finding;
 use stickslip::host::HOST;
 use stickslip::model::Model;
 use stickslip::results::Results;
@@ -31,9 +32,10 @@ fn pulled(names: &[&str], reported: &[&str]) -> Results {
         )
     });
     let edges: Vec<String> = edges.collect();
-    let reported: String = (reported.iter())
+    let reported: Vec<String> = (reported.iter())
         .map(|on| format!("[[edges]]\non = \"plate.{on}\"\n"))
         .collect();
+    let reported = reported.concat();
     solved(
         &format!(
             r#"
@@ -84,7 +86,7 @@ fn a_circle_of_splines_concentrates_stresses_as_a_hole_does() {
 fn refusal(folder: &Path, text: &str, changes: &[&str]) -> String {
     let read = Scene::from_text_on(text, Format::Toml, "scene.toml", folder, changes, HOST);
     let error = read.map(|_| changes).expect_err("a refusal");
-    let summaries = error.findings().iter().map(|own| own.summary());
+    let summaries = error.findings().iter().map(Finding::summary);
     let texts = summaries.map(|own| {
         let line = own.line.expect("a line");
         format!("{line}: {} {}", own.message, own.help.unwrap_or_default())
@@ -101,7 +103,7 @@ fn what_makes_no_spline_is_refused_with_its_line() {
     };
     for (change, messages) in [
         (
-            r#"spline=[]"#,
+            "spline=[]",
             ["has no point between its ends", "remove `spline`"],
         ),
         (
