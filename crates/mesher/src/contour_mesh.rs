@@ -52,9 +52,19 @@ impl ContourMesh {
         };
         let framed = Framed::new(&plan, &self.contour.holes, &self.division);
         let (mirrors, chains) = Mirror::all(&framed.plan, &self.division.refined);
-        let half = refined(&framed.plan, &chains, corners).map_err(|error| match error {
+        let (half, mirrors) = match refined(&framed.plan, &chains, corners) {
+            // Mirrors divide corners, which may leave no room for good cells beside them.
+            Err(ContourError::Incomplete { .. } | ContourError::EdgesMeet { .. })
+                if !mirrors.is_empty() =>
+            {
+                let whole = Link::loops(&framed.plan);
+                (refined(&framed.plan, &whole, corners), Vec::new())
+            }
+            half => (half, mirrors),
+        };
+        let half = half.map_err(|error| match error {
             ContourError::TooLarge { nodes, .. } => ContourError::TooLarge {
-                nodes: nodes.saturating_mul(limit / corners.max(1)),
+                nodes: nodes.saturating_mul((limit / corners.max(1)) << mirrors.len()),
                 limit,
             },
             other => other.at_places(|place| framed.back(place)),

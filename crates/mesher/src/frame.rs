@@ -1,10 +1,10 @@
 //! The frame in which a body is triangulated.
 //!
-//! Triangulations hang on the last bits of coordinates and on the order of their points. Bodies are therefore triangulated in a frame of
+//! Triangulations depend on the last bits of coordinates and on the order of their points. Bodies are therefore triangulated in a frame of
 //! their own: the box around the outline centred and of unit size, coordinates on a grid of [`GRID`], and of the eight ways to turn and
 //! mirror that box, and of all orders of pieces and holes, the one whose list of coordinates comes first. The same body in other
-//! units, elsewhere, turned by right angles, mirrored, or drawn from another corner has the same triangles. Nodes on the boundary return to
-//! the exact curves.
+//! units, elsewhere, turned by right angles, mirrored, or drawn from another corner has the same triangles, unless a coordinate lies within rounding of the middle between two grid lines. Nodes on the boundary return to
+//! the exact curves. Of a body that is its own image, several ways come first: its triangles are their own images only where `symmetry.rs` finds the mirror.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -64,6 +64,7 @@ struct Eye {
     radius: f64,
     /// In right angles, ascending, each with the ray that it was.
     angles: Vec<(f64, usize)>,
+    layers: Option<usize>,
     hole: usize,
 }
 
@@ -168,7 +169,8 @@ impl Turn {
             angle
         };
         let angle = if self.signs[1] < 0.0 { -angle } else { angle };
-        angle.rem_euclid(4.0)
+        // Adding zero leaves no negative one.
+        angle.rem_euclid(4.0) + 0.0
     }
 }
 
@@ -196,6 +198,7 @@ impl Drawing {
                 centre: place(own.centre),
                 radius: on_grid(own.radius / unit).max(1.0 / GRID),
                 angles: angles.map(|(ray, &a)| (right_angles(a), ray)).collect(),
+                layers: own.layers,
                 hole,
             }
         };
@@ -242,7 +245,8 @@ impl Drawing {
         });
         let circles = self.eyes.iter().flat_map(|eye| {
             let angles = eye.angles.iter().map(|&(angle, _)| angle);
-            eye.centre.into_iter().chain([eye.radius]).chain(angles)
+            let layers = eye.layers.map_or(-1.0, |layers| layers as f64);
+            (eye.centre.into_iter().chain([eye.radius, layers])).chain(angles)
         });
         lines.chain(circles).collect()
     }

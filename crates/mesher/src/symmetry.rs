@@ -151,7 +151,7 @@ fn mirrored(mut point: Point, across: usize) -> Point {
     point
 }
 
-/// Whether both are splines and mirror images, each walked against the other, or none of them is one.
+/// Whether both are splines and mirror images, each walked against the other, or neither is a spline.
 fn are_images([one, other]: [&Track; 2], across: usize) -> bool {
     let points = |track: &Track| -> Vec<Point> {
         let parts = track.cubics();

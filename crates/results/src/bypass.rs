@@ -71,8 +71,8 @@ impl RowForces {
 }
 
 impl Results {
-    /// The plates whose bearing and bypass loads are known: with holes in contact, and with loads and supports on either side of every row. Plates with one hole only where a
-    /// load passes it in some step.
+    /// The plates whose bearing and bypass loads are known: with holes in contact and no other contact, with loads and supports on either side of every row, and in balance with these.
+    /// Plates with one hole only where a load passes it in some step.
     pub fn plates_with_rows(&self) -> Vec<PlateRows> {
         let plates = (0..self.bodies.len()).filter_map(|body| self.rows_of(body));
         let passes = |plate: &PlateRows| {
@@ -82,7 +82,12 @@ impl Results {
             let most = all
                 .iter()
                 .fold(0.0, |most: f64, own| most.max(own.incoming().abs()));
-            contacts > 1 || all.iter().any(|own| own.bypass().abs() > ROUNDING * most)
+            // Forces that belong to no set, as those of polar tractions, leave the plate out of balance.
+            let is_balanced = all
+                .iter()
+                .all(|own| own.unbalanced().abs() <= ROUNDING * most);
+            let is_passed = || all.iter().any(|own| own.bypass().abs() > ROUNDING * most);
+            is_balanced && (contacts > 1 || is_passed())
         };
         plates.filter(passes).collect()
     }
@@ -108,7 +113,10 @@ impl Results {
             }
         }
         let mut sets = self.sets.iter().filter(|set| set.body == body).peekable();
-        sets.peek()?;
+        // A strap of a butt joint is held by its fasteners alone; a pin or a bushing is no plate.
+        if sets.peek().is_none() && rows.len() < 2 {
+            return None;
+        }
         let is_beside = |reach: Option<[f64; 2]>| {
             let within = |[from, to]: [f64; 2]| rows.iter().any(|(x, _)| from <= *x && *x <= to);
             reach.is_some_and(|reach| !within(reach))

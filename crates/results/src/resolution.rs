@@ -75,7 +75,8 @@ impl EdgeResults {
         Some(nodes >= geometry.nodes_to_resolve())
     }
 
-    /// Number of nodes around the largest pressure of an open edge at which it is more than half as large; `None` of other edges and without pressure.
+    /// Number of nodes around the largest pressure of an open edge at which it is more than half as large, or of the second edge along these; `None` of other edges and
+    /// without pressure.
     pub fn nodes_of_peak(&self, geometry: &EdgeGeometry) -> Option<usize> {
         if geometry.kind != EdgeKind::Path {
             return None;
@@ -90,7 +91,10 @@ impl EdgeResults {
             .take_while(is_high)
             .count();
         let after = pressures[largest..].iter().take_while(is_high).count();
-        (after > 0).then_some(before + after)
+        let last = (largest + after).checked_sub(1).filter(|_| after > 0)?;
+        let own = before + after;
+        let faced = geometry.nodes_faced(largest - before, last);
+        Some(faced.map_or(own, |faced| faced.min(own)))
     }
 
     /// Pressure of each node of the whole edge in walk order, `None` at open ones; of a half the mirror image comes first.

@@ -43,14 +43,16 @@ impl Builder<'_> {
                 continue;
             };
             self.is_straight(&table, &found);
+            let key = child(&table, "springs");
             let springs = match springs {
                 SpringsFormat::Lumped(lumped) => {
+                    self.has_one_shank(&child(&key, "lumped"), &found, beside.materials);
                     self.lumped(&table, lumped, &found, beside.materials)
                 }
                 others => self.springs(&table, others, slices.len()),
             };
             if matches!(springs, Springs::Beam { .. }) {
-                self.is_a_beam(&table, &found, beside.materials);
+                self.has_one_shank(&child(&key, "beam"), &found, beside.materials);
             }
             let plates: Vec<String> = found.iter().map(|slice| slice.plate.to_owned()).collect();
             self.layers_agree(&table, name, &plates, &layers);
@@ -277,9 +279,8 @@ impl Builder<'_> {
         }
     }
 
-    /// A beam has one radius and one isotropic material.
-    fn is_a_beam(&mut self, table: &str, slices: &[Slice<'_>], materials: &Materials) {
-        let key = child(table, "springs.beam");
+    /// The shank of a beam, and of a formula, has one radius and one isotropic material.
+    fn has_one_shank(&mut self, key: &str, slices: &[Slice<'_>], materials: &Materials) {
         let material = |slice: &Slice<'_>| match &self.bodies.get(slice.body)?.substance {
             Substance::Elastic { material, .. } => Some(material.clone()),
             Substance::Rigid => None,
@@ -305,8 +306,8 @@ impl Builder<'_> {
         } else {
             return;
         };
-        let remedy = "a beam has one radius and one isotropic material: say springs.given or springs.rigid of others";
-        self.conflict(&key, message, remedy);
+        let remedy = "beams and formulas have one radius and one isotropic material: say springs.given or springs.rigid of others";
+        self.conflict(key, message, remedy);
     }
 
     /// Plates lie above each other in the same order in all fasteners.

@@ -97,7 +97,7 @@ pub(super) fn expand_lists(document: &mut Document, names: &Names) -> Result<(),
     fasteners(document, names)
 }
 
-/// Bodies that are patterns in the list of those whose failure is asked for.
+/// Bodies listed in `failure.bodies` that are patterns.
 fn failing_bodies(document: &mut Document, names: &Names) {
     let key = "failure.bodies";
     let Some(Value::Array(bodies)) = document.get(key).cloned() else {

@@ -7,13 +7,19 @@ use crate::shape::curve::Curve;
 
 /// Angle between neighbouring chords `[rad]` from which on an edge has a corner.
 const CORNER: f64 = std::f64::consts::FRAC_PI_6;
-/// Distance of mid nodes from their chords, over these, up to which they are on them.
-const ON_CHORD: f64 = 1e-9;
 
 /// The spline through the nodes of the open chain `path`: through all of them, or through its corners where no cell is curved.
 pub(super) fn spline(mesh: &Mesh, path: &EdgePath) -> Option<Curve> {
-    let order = if is_curved(mesh, path) { 1 } else { path.order };
-    let places = path.nodes.iter().step_by(order);
+    through(
+        mesh,
+        path,
+        if is_curved(mesh, path) { 1 } else { path.order },
+    )
+}
+
+/// The spline through every `step`th node of the open chain `path`.
+fn through(mesh: &Mesh, path: &EdgePath, step: usize) -> Option<Curve> {
+    let places = path.nodes.iter().step_by(step);
     let places: Vec<Point> = places.map(|&node| mesh.nodes()[node]).collect();
     let [from, inner @ .., to] = places.as_slice() else {
         return None;
@@ -115,16 +121,22 @@ fn checked(mesh: &Mesh, name: &str) -> Result<Option<EdgePath>, [String; 2]> {
     Ok(Some(path))
 }
 
-/// Whether a mid node of the chain is off its chord.
+/// Whether mid nodes lie nearer to the spline through the corners of the chain than to its chords, all in all: the digits of a file leave single ones on neither.
 fn is_curved(mesh: &Mesh, path: &EdgePath) -> bool {
+    let Some(curve) = through(mesh, path, path.order).and_then(|own| own.path()) else {
+        return false;
+    };
     let at = |k: usize| mesh.nodes()[path.nodes[k]];
-    (0..path.edges.len()).any(|edge| {
+    let mut sums = [0.0; 2];
+    for edge in 0..path.edges.len() {
         let ends = [edge * path.order, (edge + 1) * path.order];
         let [a, b] = ends.map(at);
-        let [x, y] = [b[0] - a[0], b[1] - a[1]];
-        (ends[0] + 1..ends[1]).any(|k| {
-            let [u, v] = [at(k)[0] - a[0], at(k)[1] - a[1]];
-            (x * v - y * u).abs() > ON_CHORD * (x * x + y * y)
-        })
-    })
+        let off = |p: Point| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+        for k in ends[0] + 1..ends[1] {
+            let (own, on) = (off(at(k)), off(curve.at(curve.nearest(at(k)))));
+            sums[0] += own * on;
+            sums[1] += on * on;
+        }
+    }
+    sums[0] > 0.5 * sums[1]
 }

@@ -77,6 +77,10 @@ fn what_no_formula_holds_for_is_refused() {
         (three(&lumped("formula = \"boeing\"")), "a joint of three plates"),
         (double_lap(&lumped(huth), [2.0, 4.0, 5.0]), "outer ones differ"),
         (
+            three(&lumped(huth)).replacen("2.99 mm", "2.5 mm", 1),
+            "has the radius 2.99 mm and 'one' 2.5 mm",
+        ),
+        (
             two(&lumped(huth)).replace(
                 "[materials.aluminium.isotropic]\nyoung = \"72 GPa\"\npoisson = 0.33",
                 "[materials.aluminium.orthotropic]\ne1 = \"72 GPa\"\ne2 = \"60 GPa\"\nnu12 = 0.33\ng12 = \"20 GPa\"",

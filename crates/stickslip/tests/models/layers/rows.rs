@@ -240,3 +240,32 @@ fn bearing_and_bypass_are_the_incoming_load() {
         }
     }
 }
+
+/// The strap of a butt joint, on which nothing but its two bolts acts: all of the load is bearing in both rows.
+#[test]
+fn a_strap_has_its_rows() {
+    let mut text = head_of_rows();
+    text += &long_plate("pulled", 3.0, [-48.0, 12.0], &[0.0]);
+    text += &long_plate("held", 3.0, [18.0, 78.0], &[30.0]);
+    text += &long_plate("strap", 4.0, [-12.0, 42.0], &[0.0, 30.0]);
+    for (k, plate) in ["pulled", "held"].into_iter().enumerate() {
+        text += &slice(&format!("s{k}-0"), 3.0, &format!("{plate}.h0"), 0.01);
+        text += &slice(&format!("s{k}-1"), 4.0, &format!("strap.h{k}"), 0.01);
+        let _ = write!(
+            text,
+            "[fasteners.f{k}]\nslices = [\"s{k}-0\", \"s{k}-1\"]\nsprings.rigid = {{}}\n"
+        );
+    }
+    text += "[[supports]]\non = \"held.right\"\nfix = [\"x\", \"y\"]\n";
+    let found = solved(&text, &[]);
+    is_balanced(&found);
+    let plates = found.plates_with_rows();
+    let [strap] = &plates[..] else {
+        panic!("{plates:?}");
+    };
+    assert_eq!(found.bodies[strap.body].name, "strap");
+    for row in found.row_forces(strap, 0) {
+        let apart = [row.incoming() - 3e3, row.bearing() - 3e3, row.bypass()];
+        assert!(apart.iter().all(|own| own.abs() < 1e-5), "{row:?}");
+    }
+}
