@@ -8,6 +8,9 @@ impl Results {
         if by == [0.0; 2] {
             return;
         }
+        for reach in self.sets.iter_mut().filter_map(|set| set.reach.as_mut()) {
+            *reach = reach.map(|x| x + by[0]);
+        }
         for step in &mut self.steps {
             for stresses in &mut step.stresses {
                 let peaks = [

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use stickslip::model::Model;
-use stickslip::results::{ContactFinding, Finding};
+use stickslip::results::{ContactFinding, Finding, PlateRows, Results};
 use stickslip::run::{displacements_of, solve, solver};
 use stickslip::scene::schema::SolverChoice;
 use stickslip_contact::nalgebra::{DMatrix, DVector};
@@ -257,13 +257,48 @@ fn a_strap_has_its_rows() {
         );
     }
     text += "[[supports]]\non = \"held.right\"\nfix = [\"x\", \"y\"]\n";
-    let found = solved(&text, &[]);
-    is_balanced(&found);
-    let plates = found.plates_with_rows();
-    let [strap] = &plates[..] else {
-        panic!("{plates:?}");
+    let moved = ["pulled", "held", "strap"]
+        .map(|plate| format!("bodies.{plate}.position=[\"-100 mm\", \"7 mm\"]"));
+    let moved = moved.each_ref().map(String::as_str);
+    for changes in [&[][..], &moved] {
+        let found = solved(&text, changes);
+        is_balanced(&found);
+        let plates = found.plates_with_rows();
+        let [strap] = &plates[..] else {
+            panic!("{plates:?}");
+        };
+        assert_eq!(found.bodies[strap.body].name, "strap");
+        all_bears(&found, strap);
+    }
+}
+
+/// The bypass of a row is what comes into the next one, wherever the plate stands.
+#[test]
+fn rows_pass_their_load_on() {
+    let rows = |place: f64| {
+        let text = row(3, 24.0, "rigid = {}");
+        let moved = ["lower", "pulled", "upper"]
+            .map(|plate| format!("bodies.{plate}.position=[\"{place} mm\", \"0 mm\"]"));
+        let found = solved(&text, &moved.each_ref().map(String::as_str));
+        let plates = found.plates_with_rows();
+        let all = plates.iter().map(|plate| found.row_forces(plate, 0));
+        all.collect::<Vec<_>>()
     };
-    assert_eq!(found.bodies[strap.body].name, "strap");
+    let still = rows(0.0);
+    assert_eq!(still.len(), 3);
+    for (still, moved) in still.iter().zip(rows(-100.0)) {
+        assert_eq!(moved.len(), 3);
+        for (a, b) in still.iter().zip(&moved) {
+            assert!((a.left - b.left).abs() < 1e-5 && (a.right - b.right).abs() < 1e-5);
+        }
+        for pair in moved.windows(2) {
+            assert!((pair[0].right - pair[1].left).abs() < 1e-5, "{pair:?}");
+        }
+    }
+}
+
+/// Each row of a plate takes all of the load.
+fn all_bears(found: &Results, strap: &PlateRows) {
     for row in found.row_forces(strap, 0) {
         let apart = [row.incoming() - 3e3, row.bearing() - 3e3, row.bypass()];
         assert!(apart.iter().all(|own| own.abs() < 1e-5), "{row:?}");
