@@ -130,7 +130,7 @@ fn flawed(flaw: &SplineFlaw) -> &'static str {
             "remove one of the two points; `spline` leaves out the ends of the edge, and coordinates are in mm"
         }
         SplineFlaw::Tight { .. } => {
-            "give more points there, or end the edge where the outline has a corner; numbers are in mm"
+            "give more points there, check their order and the directions `leaves` and `arrives`, or end the edge where the outline has a corner; numbers are in mm"
         }
         _ => "change its points, or give more of them; coordinates are in mm",
     }
