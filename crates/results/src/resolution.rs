@@ -94,7 +94,8 @@ impl EdgeResults {
         let last = (largest + after).checked_sub(1).filter(|_| after > 0)?;
         let own = before + after;
         let faced = geometry.nodes_faced(largest - before, last);
-        Some(faced.map_or(own, |faced| faced.min(own)))
+        // A single node faces one at least, wherever that stands.
+        Some(faced.map_or(own, |faced| faced.clamp(1, own)))
     }
 
     /// Pressure of each node of the whole edge in walk order, `None` at open ones; of a half the mirror image comes first.
