@@ -52,7 +52,7 @@ impl InterfaceSolver for Boastful {
 
 /// Refuses everything.
 #[derive(Debug)]
-struct Lazy;
+pub(crate) struct Lazy;
 
 impl InterfaceSolver for Lazy {
     fn name(&self) -> &'static str {

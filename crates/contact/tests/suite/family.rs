@@ -12,6 +12,7 @@ use stickslip_contact::{
     SemismoothNewton, Status, StatusIteration, TrescaFixedPoint,
 };
 
+use crate::contract::Lazy;
 use crate::discrete::{cases, check_increment, committed, data, load, starts};
 use crate::random::{RandomStep, generator};
 use crate::scene::Scene;
@@ -367,6 +368,14 @@ fn a_floating_body_is_let_go_by_all() {
                 .unwrap_or_else(|failure| panic!("{}, μ = {mu}: {failure}", solver.name()));
             assert!(let_go.trial.forces.amax() < 1e-9, "{}", solver.name());
         }
+        // Where no member of a chain sees it, the chain does, before it tries the next one.
+        let blind = Chain::new(vec![Box::new(Lazy), Box::new(Lazy)]);
+        let let_go = solve(&blind, &problem, &state, &[0.0]).unwrap();
+        assert_eq!(
+            (let_go.solver, let_go.trial.forces.amax()),
+            ("release", 0.0)
+        );
+        assert_eq!(let_go.attempts.len(), 1);
     }
 }
 
