@@ -98,6 +98,12 @@ impl EdgeResults {
         Some(faced.map_or(own, |faced| faced.clamp(1, own)))
     }
 
+    /// Whether the largest pressure of an open edge rests on less than two element edges, so that nothing is known of its error.
+    pub fn has_sharp_peak(&self, geometry: &EdgeGeometry) -> bool {
+        let nodes = self.nodes_of_peak(geometry);
+        nodes.is_some_and(|nodes| nodes < geometry.nodes_to_resolve())
+    }
+
     /// Pressure of each node of the whole edge in walk order, `None` at open ones; of a half the mirror image comes first.
     fn whole(&self, geometry: &EdgeGeometry) -> Vec<Option<f64>> {
         let own: Vec<Option<f64>> = (self.rows.iter())

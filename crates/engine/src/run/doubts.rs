@@ -237,8 +237,8 @@ fn unresolved_peak(edge: &ModelEdge, index: usize, steps: &[StepResults]) -> Opt
         let own = &step.edges[index];
         let is_corner = edge.corners_that_press(&own.rows).contains(&true);
         let is_judged = !is_corner && own.is_resolved(geometry) == Some(true);
-        let nodes = own.nodes_of_peak(geometry).filter(|_| is_judged)?;
-        (nodes < geometry.nodes_to_resolve()).then_some(nodes)
+        own.nodes_of_peak(geometry)
+            .filter(|_| is_judged && own.has_sharp_peak(geometry))
     };
     let nodes = steps.iter().filter_map(few).min()?;
     let steps = steps_where(steps, |step| few(step).is_some())?;

@@ -57,7 +57,7 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
         ),
         ContactFinding::PeakUnresolved { steps, nodes } => format!(
             "The mesh does not resolve the largest pressure of contact '{name}' in load step {}: it is more than half as large at {nodes} {} only. \
-             That pressure and stresses nearby depend on the mesh. Give the edge there more `refine`, or reduce mesh.spacing.",
+             That pressure and stresses nearby depend on the mesh, and no error of it is known. Give the edge there more `refine`, or reduce mesh.spacing.",
             numbers(steps),
             if *nodes == 1 { "node" } else { "nodes" }
         ),

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use stickslip::results::{ContactFinding, Finding, Results};
+use stickslip::results::{ContactFinding, Finding, Results, Stated};
 use tempfile::TempDir;
 
 use super::{PUNCH, close, edge, stacked};
@@ -49,7 +49,12 @@ fn ends(results: &Results) -> (usize, bool) {
 fn a_peak_on_few_nodes_is_reported() {
     let solved = |refine: u32| {
         let text = PUNCH.replace("refine = 160", &format!("refine = {refine}"));
-        solved(&text, &[])
+        let pressed = [
+            "analysis.accuracy=5 %",
+            "loads.0.force.steps=[\"73.8556 N\"]",
+            "loads.1.force.steps=[\"0 N\"]",
+        ];
+        solved(&text, &pressed)
     };
     let fewest = |results: &Results| {
         results.findings.iter().find_map(|own| match own {
@@ -66,6 +71,9 @@ fn a_peak_on_few_nodes_is_reported() {
     assert_eq!(fewest(&fine), None);
     assert!((peak(&coarse) / 63.98 - 1.0).abs() > 0.1);
     close(peak(&fine), 63.98, 0.01);
+    let error = |results: &Results| edge(results, 0).errors.get(Stated::PeakPressure);
+    assert_eq!(error(&coarse), None);
+    assert!(error(&fine).is_some());
 }
 
 #[test]
