@@ -85,11 +85,15 @@ pub(super) struct Entry<'a> {
     unbalanced: Quantity,
 }
 
-/// The rows of all plates at the end of the step with the index `step`, by the names of the plates.
-pub(super) fn entries(results: &Results, step: usize) -> BTreeMap<&str, Vec<Entry<'_>>> {
+/// The rows of `plates` at the end of the step with the index `step`, by the names of the plates.
+pub(super) fn entries<'a>(
+    results: &'a Results,
+    plates: &[PlateRows],
+    step: usize,
+) -> BTreeMap<&'a str, Vec<Entry<'a>>> {
     let (length, force) = (results.units.length, results.units.force);
     let of = |unit: &Unit, value: f64| Quantity::of(unit, value);
-    let entry = |plate: &PlateRows| -> Vec<Entry<'_>> {
+    let entry = |plate: &PlateRows| -> Vec<Entry<'a>> {
         let forces = results.row_forces(plate, step);
         let scale = largest(&forces);
         let rows = plate.rows.iter().zip(&forces).enumerate();
@@ -103,7 +107,6 @@ pub(super) fn entries(results: &Results, step: usize) -> BTreeMap<&str, Vec<Entr
         })
         .collect()
     };
-    let plates = results.plates_with_rows();
     let named = |plate: &PlateRows| (results.bodies[plate.body].name.as_str(), entry(plate));
     plates.iter().map(named).collect()
 }

@@ -24,7 +24,8 @@ use keys::{
 };
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{
-    BearingSource, EdgeKind, EdgeResults, Ladder, LoadValue, Results, Rung, Stated, StepNotes,
+    BearingSource, EdgeKind, EdgeResults, Ladder, LoadValue, PlateRows, Results, Rung, Stated,
+    StepNotes,
 };
 use stickslip_scene::schema::{Accuracy, DisplayUnits};
 use stickslip_text::tidy;
@@ -184,8 +185,9 @@ fn steps(results: &Results) -> Vec<Step<'_>> {
             }
         })
         .collect();
+    let plates = results.plates_with_rows();
     (0..results.steps.len())
-        .map(|step| step_entry(results, &scale, &edges, step))
+        .map(|step| step_entry(results, &scale, (&edges, &plates), step))
         .collect()
 }
 
@@ -199,7 +201,7 @@ struct CountedEdge<'a> {
 fn step_entry<'a>(
     results: &'a Results,
     scale: &LoadScale,
-    edges: &[CountedEdge<'a>],
+    (edges, plates): (&[CountedEdge<'a>], &[PlateRows]),
     index: usize,
 ) -> Step<'a> {
     let step = &results.steps[index];
@@ -219,7 +221,7 @@ fn step_entry<'a>(
         fasteners: (results.fasteners.iter().zip(&step.fasteners))
             .map(|(own, step)| (own.name.as_str(), fasteners::step_entry(step, units)))
             .collect(),
-        bypass: bypass::entries(results, index),
+        bypass: bypass::entries(results, plates, index),
         iterations: step.work.solves,
         pivots: step.work.pivots,
         solvers: &step.solvers,
