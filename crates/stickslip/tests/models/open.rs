@@ -19,7 +19,7 @@ fn shape(angle: f64) -> f64 {
     PI - 2.0 * angle - (2.0 * angle).sin()
 }
 
-fn close(found: f64, expected: f64, part: f64) {
+pub(crate) fn close(found: f64, expected: f64, part: f64) {
     assert!(
         (found - expected).abs() <= part * expected.abs(),
         "{found} {expected}: {:.2e}",
@@ -166,6 +166,14 @@ fn edges_that_overlap_or_look_away_are_refused() {
 
 /// A round nose at the origin pressed on a block below it; `place` stands in both tables.
 fn nose(place: &str) -> String {
+    let block = r#"shape.outline = { start = ["-10 mm", "-8 mm"], edges = [{ name = "bottom", to = ["10 mm", "-8 mm"] }, { name = "right", to = ["10 mm", "0 mm"] }, { name = "face", to = ["-10 mm", "0 mm"], refine = 6 }, { name = "left" }] }"#;
+    let nose = r#"shape.outline = { start = ["-4 mm", "6 mm"], edges = [{ name = "face", to = ["4 mm", "6 mm"], through = ["0 mm", "0 mm"], refine = 6 }, { name = "top" }] }"#;
+    let force = r#"{ direction = [0, -1], steps = ["1 kN", "0.5 kN"] }"#;
+    nose_on_block(place, [block, nose], force)
+}
+
+/// A nose pressed by `force` on a block, with the keys `shapes` of both; `place` stands in both tables.
+pub(crate) fn nose_on_block(place: &str, [block, nose]: [&str; 2], force: &str) -> String {
     format!(
         r#"
 version = 1
@@ -176,12 +184,12 @@ poisson = 0.3
 material = "metal"
 thickness = "1 mm"
 {place}
-shape.outline = {{ start = ["-10 mm", "-8 mm"], edges = [{{ name = "bottom", to = ["10 mm", "-8 mm"] }}, {{ name = "right", to = ["10 mm", "0 mm"] }}, {{ name = "face", to = ["-10 mm", "0 mm"], refine = 6 }}, {{ name = "left" }}] }}
+{block}
 [bodies.nose]
 material = "metal"
 thickness = "1 mm"
 {place}
-shape.outline = {{ start = ["-4 mm", "6 mm"], edges = [{{ name = "face", to = ["4 mm", "6 mm"], through = ["0 mm", "0 mm"], refine = 6 }}, {{ name = "top" }}] }}
+{nose}
 [mesh]
 spacing = "1.5 mm"
 [[contacts]]
@@ -196,7 +204,7 @@ on = "nose.top"
 free = ["x", "y"]
 [[loads]]
 on = "nose.top"
-force = {{ direction = [0, -1], steps = ["1 kN", "0.5 kN"] }}
+force = {force}
 "#
     )
 }

@@ -6,18 +6,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use stickslip::results::{EdgeResults, Results};
 
+use super::open::{close, nose_on_block};
 use super::solved;
 
 /// Young's modulus over 1 − ν² of the bodies in plane strain `[MPa]`.
 const PLANE: f64 = 70_000.0 / (1.0 - 0.09);
-
-fn close(found: f64, expected: f64, part: f64) {
-    assert!(
-        (found - expected).abs() <= part * expected.abs(),
-        "{found} {expected}: {:.2e}",
-        found / expected - 1.0
-    );
-}
 
 fn edge(results: &Results) -> &EdgeResults {
     &results.steps[0].edges[0]
@@ -264,40 +257,8 @@ fn nose(
             ("top", [-4.0, 6.0], String::new()),
         ],
     );
-    format!(
-        r#"
-version = 1
-materials.metal.isotropic = {{ young = "70 GPa", poisson = 0.3 }}
-[bodies.block]
-material = "metal"
-thickness = "1 mm"
-{place}
-{block}
-[bodies.nose]
-material = "metal"
-thickness = "1 mm"
-{place}
-{nose}
-[mesh]
-spacing = "1.5 mm"
-[[contacts]]
-first = "nose.face"
-second = "block.face"
-friction.coulomb.mu = 0.3
-[[supports]]
-on = "block.bottom"
-fix = ["x", "y"]
-[[platens]]
-on = "nose.top"
-free = ["x", "y"]
-[[loads]]
-on = "nose.top"
-force = {{ direction = [0.1, -1], steps = ["1 kN"] }}
-[output]
-fields = "none"
-figures = false
-"#
-    )
+    let force = r#"{ direction = [0.1, -1], steps = ["1 kN"] }"#;
+    nose_on_block(place, [&block, &nose], force) + "[output]\nfields = \"none\"\nfigures = false\n"
 }
 
 #[test]
