@@ -20,10 +20,10 @@ pub mod model;
 pub mod run;
 pub mod series;
 
-/// The crates of scenes, bodies, laws, contacts, laminates and joints that models and results hold.
+/// The crates of scenes, bodies, laws, contacts, series, laminates and joints that models and results hold.
 pub use {
     stickslip_contact, stickslip_fem_core, stickslip_friction, stickslip_joint, stickslip_laminate,
-    stickslip_scene,
+    stickslip_scene, stickslip_series,
 };
 
 pub use load_scale::LoadScale;

@@ -39,7 +39,7 @@ fn main() -> Result<(), SceneError> {
             .map_err(|(key, problem)| experiment.error_at(&format!("laws.0.{key}"), *problem))?;
         let [low, high] = candidate.parameters[0].range;
         println!(
-            "hole of {radius} mm: {} from {low} to {high}",
+            "hole of {radius:.3} mm: {} from {low} to {high}",
             candidate.parameters[0].name
         );
     }

@@ -18,6 +18,8 @@ mod specimen;
 mod state;
 pub mod templates;
 
+/// The crate whose values describe an experiment.
+pub use stickslip_scene::serde_json;
 /// The crates of laws, measured data and scenes that experiments hold.
 pub use {stickslip_fem_core, stickslip_friction, stickslip_hybrid, stickslip_scene};
 

@@ -371,7 +371,7 @@ impl Climb<'_> {
         is_missed.then(|| Finding::AccuracyMissed {
             number: number.describe(),
             error,
-            end: end.name(),
+            end,
         })
     }
 }

@@ -6,6 +6,7 @@ use std::error::Error;
 use std::path::Path;
 
 use stickslip_experiment::Experiment;
+use stickslip_experiment::stickslip_hybrid::identify::Bounds;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::{Album, Depth, run};
 use stickslip_measure::synthesis::{Camera, Shots};
@@ -92,10 +93,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let findings = run(&experiment, Depth::Identify, &mut NoAlbum, &mut |_| {})?;
     let friction = findings.friction.ok_or("the chain ended early")?;
     match &friction.identified.dynamic {
-        Some(fit) => println!(
-            "friction {:.3}, {:?}; the pictures were made with 0.25",
-            fit.mu, fit.bounds
-        ),
+        Some(fit) => {
+            let bounds = match fit.bounds {
+                Bounds::Between(low, high) => format!("between {low:.3} and {high:.3}"),
+                Bounds::AtMost(high) => format!("at most {high:.3}"),
+                Bounds::AtLeast(low) => format!("at least {low:.3}"),
+                Bounds::Nothing => "not identifiable".to_owned(),
+            };
+            println!(
+                "friction {:.3}, {bounds}; the pictures were made with 0.25",
+                fit.mu
+            );
+        }
         None => println!("nothing slips beyond doubt"),
     }
     Ok(())

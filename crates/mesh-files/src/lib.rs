@@ -48,6 +48,9 @@ mod write;
 
 use stickslip_fem_core::mesh::MeshParts;
 
+/// The crate of the meshes.
+pub use stickslip_fem_core;
+
 pub use curves::{recognise_set, snap, snap_pieces};
 pub use error::{CurveError, ReadError, Unsupported, WriteError};
 pub use note::Note;

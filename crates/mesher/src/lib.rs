@@ -73,6 +73,9 @@ mod symmetry;
 mod triangulate;
 mod vector;
 
+/// The crate of the meshes.
+pub use stickslip_fem_core;
+
 pub use contour::{Contour, Cutout, Hole, Piece};
 pub use contour_mesh::ContourMesh;
 pub use course::{Course, Spline};

@@ -7,6 +7,7 @@ mod details;
 use serde::Serialize;
 
 use super::quantity::Quantity;
+use super::stated::LadderEnd;
 
 pub use details::{
     CoarseLoadPath, CutBackEffect, FailedSolver, FreeBody, FreeMotion, FurtherSolvers,
@@ -122,8 +123,8 @@ pub enum Finding {
         number: &'static str,
         /// Its error, a part of the number.
         error: f64,
-        /// Why no finer model was tried: `"pinned"`, `"budget"` or `"finest"`.
-        end: &'static str,
+        /// Why no finer model was tried.
+        end: LadderEnd,
     },
     /// Contact parts and bears elsewhere within one increment.
     ContactParts {

@@ -16,43 +16,35 @@ mod stated;
 mod stresses;
 mod zones;
 
-pub use stated::{Errors, Ladder, LadderEnd, RowErrors, Rung, Stated};
-
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+/// The crates of scenes, meshes, contacts, laminates and joints that results hold.
+pub use {
+    stickslip_contact, stickslip_fem_core, stickslip_joint, stickslip_laminate, stickslip_scene,
+};
+
 pub use bypass::{PlateRows, RowForces};
-
 pub use displacement::{LoadedSet, SetKind, SetMotion, Stiffness};
-
 pub use failure::{
     BesideSupports, BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope,
     EnvelopePoint, FailurePoint, FirstPly, JointFailure, JointMode, PlyGroup, PlyMap, PointErrors,
 };
-
 pub use fastener::{Fastener, FastenerStep, Layer, LayerStep};
-
 pub use finding::{
     CoarseLoadPath, ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion,
     FurtherSolvers, JointFinding, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
-
+pub use frame::{BearingSource, ContactFrame, wrapped};
 pub use nodes::{Nodes, Values, joined, values};
-
-pub use frame::wrapped;
-pub use frame::{BearingSource, ContactFrame};
-
-pub use quantity::Quantity;
-
-pub use sharing::LoadShare;
-
-pub use stresses::{BodyStresses, StressPeak, principal, von_mises};
-
-pub use zones::ZoneRange;
-
 pub use progressive::{
     CurvePoint, EdgeStrain, LinearJoint, PlyLoss, ProgressiveEnd, ProgressiveFailure,
 };
+pub use quantity::Quantity;
+pub use sharing::LoadShare;
+pub use stated::{Errors, Ladder, LadderEnd, RowErrors, Rung, Stated};
+pub use stresses::{BodyStresses, StressPeak, principal, von_mises};
+pub use zones::ZoneRange;
 
 use stickslip_contact::Status;
 use stickslip_contact::history::{Otherwise, Recovery};

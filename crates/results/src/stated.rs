@@ -1,5 +1,6 @@
 //! The numbers of an edge that are stated with an error, and the rungs by which the errors were found.
 
+use serde::Serialize;
 use stickslip_scene::schema::{Accuracy, RelativeError};
 
 use super::{EdgeGeometry, EdgeResults, StepResults};
@@ -241,7 +242,8 @@ pub struct Ladder {
 }
 
 /// Why no finer model was tried.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum LadderEnd {
     /// The estimated errors meet what was asked.
     Reached,

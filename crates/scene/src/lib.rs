@@ -62,9 +62,10 @@ mod tests;
 
 /// The crates whose values documents are made of, and whose diagnostics errors are.
 pub use {miette, serde_json};
-/// The crates of bodies, laws, contacts, laminates and joints that scenes hold.
+/// The crates of bodies, outlines, laws, contacts, laminates and joints that scenes hold.
 pub use {
     stickslip_contact, stickslip_fem_core, stickslip_friction, stickslip_joint, stickslip_laminate,
+    stickslip_mesher,
 };
 
 pub use document::Format;

@@ -151,22 +151,6 @@ shapes! {
         "cylinder" => cylinder::Cylinder,
 }
 
-impl Shape {
-    /// The same body turned by `angle` `[rad]` about its origin; `None` of a shape that has one position only.
-    pub(crate) fn turned(&self, angle: f64) -> Option<Self> {
-        match self {
-            Self::Profile(own) => Some(Self::Profile(own.turned(angle))),
-            Self::GivenMesh(own) => Some(Self::GivenMesh(own.turned(angle))),
-            Self::Strip(_)
-            | Self::Ring(_)
-            | Self::Disk(_)
-            | Self::Rectangle(_)
-            | Self::Block(_)
-            | Self::Cylinder(_) => None,
-        }
-    }
-}
-
 /// The tables of keys of all shapes.
 pub(crate) fn tables() -> impl Iterator<Item = Table> {
     let own = TABLES.iter().chain(profile::TABLES);

@@ -42,6 +42,9 @@ mod nodes;
 mod outline;
 mod plate;
 
+/// The crate of materials, loads and points.
+pub use stickslip_fem_core;
+
 pub use anisotropic::{AnisotropicHole, EdgeStress};
 pub use circle::Circle;
 pub use disk::{Anchor, Disk, DiskLoad};

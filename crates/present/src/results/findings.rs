@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use stickslip_engine::results::{
     CoarseLoadPath, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
-    Quantity, Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
+    LadderEnd, Quantity, Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_text::{short, tidy};
@@ -95,7 +95,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              lap. It is stated as tilting moment and resisted by nothing here, so pressure is even across each plate and no plate gives by bending.",
             quoted(fasteners)
         ),
-        Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, end),
+        Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, *end),
         Finding::ContactParts { steps } => format!(
             "In an increment of load step {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
              the direction of that way. Give a step without load in between (steps = [\"1 kN\", \"0 N\", \"-1 kN\"]), from which only the way under \
@@ -125,13 +125,13 @@ pub(super) fn sentences(results: &Results) -> Vec<String> {
         .collect()
 }
 
-fn accuracy_missed(number: &str, error: f64, end: &str) -> String {
+fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
     let why = match end {
-        "budget" => "the time is spent: raise analysis.budget, beside analysis.accuracy",
-        "pinned" => {
+        LadderEnd::Budget => "the time is spent: raise analysis.budget, beside analysis.accuracy",
+        LadderEnd::Pinned => {
             "the scene pins its model: leave out its mesh or contact_nodes, or divide it more finely"
         }
-        _ => {
+        LadderEnd::Reached | LadderEnd::Finest => {
             "no finer model is tried: ask for less, or for the numbers that matter (analysis.accuracy = { peak_pressure = … })"
         }
     };

@@ -188,29 +188,6 @@ impl fmt::Debug for GivenMesh {
 }
 
 impl GivenMesh {
-    /// The same body turned by `angle` `[rad]` about the origin of the file.
-    pub(super) fn turned(&self, angle: f64) -> Self {
-        let mesh = self.mesh.as_deref().cloned();
-        let [cos, sin] = unit_vector(angle);
-        let Some(mesh) = mesh.and_then(|mesh| mesh.turned([cos, sin]).ok()) else {
-            return self.clone();
-        };
-        let point = |(name, [x, y]): &(String, Point)| {
-            (name.clone(), [cos * x - sin * y, sin * x + cos * y])
-        };
-        Self {
-            edges: edges(
-                &mesh,
-                self.edges.iter().map(|edge| edge.name.as_ref()),
-                &self.splines,
-            ),
-            points: self.points.iter().map(point).collect(),
-            mesh: Some(Arc::new(mesh)),
-            turn: self.turn + angle,
-            ..self.clone()
-        }
-    }
-
     /// The same file with its mesh.
     fn with(self, plain: Mesh) -> Result<Self, String> {
         let names: Vec<String> = plain.edge_set_names().map(str::to_owned).collect();
@@ -336,6 +313,26 @@ impl Outline for GivenMesh {
             mesh: Some(Arc::new(mesh)),
             edges: self.edges.iter().map(edge).collect(),
             points: self.points.iter().map(point).collect(),
+            ..self.clone()
+        }))
+    }
+
+    fn turned(&self, angle: f64) -> Option<Shape> {
+        let Some(mesh) = self.mesh.as_deref() else {
+            // The file was refused.
+            return Some(Shape::GivenMesh(self.clone()));
+        };
+        let [cos, sin] = unit_vector(angle);
+        let mesh = mesh.clone().turned([cos, sin]).ok()?;
+        let point = |(name, [x, y]): &(String, Point)| {
+            (name.clone(), [cos * x - sin * y, sin * x + cos * y])
+        };
+        let names = self.edges.iter().map(|edge| edge.name.as_ref());
+        Some(Shape::GivenMesh(Self {
+            edges: edges(&mesh, names, &self.splines),
+            points: self.points.iter().map(point).collect(),
+            mesh: Some(Arc::new(mesh)),
+            turn: self.turn + angle,
             ..self.clone()
         }))
     }

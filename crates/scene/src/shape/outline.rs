@@ -103,6 +103,11 @@ pub trait Outline: fmt::Debug {
         None
     }
 
+    /// The same body turned by `angle` `[rad]` about its origin; `None` of one that is not [placed](Self::is_placed).
+    fn turned(&self, _angle: f64) -> Option<Shape> {
+        None
+    }
+
     /// One line about it, with lengths as `show` writes them.
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String;
 

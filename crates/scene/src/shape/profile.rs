@@ -54,13 +54,6 @@ impl Profile {
                 .collect(),
         }
     }
-
-    /// The same body turned by `angle` `[rad]` about the origin.
-    pub(super) fn turned(&self, angle: f64) -> Self {
-        let [cos, sin] = unit_vector(angle);
-        let turn = |[x, y]: Point| [cos * x - sin * y, sin * x + cos * y];
-        self.mapped(turn, angle)
-    }
 }
 
 /// The same body with its points where `place` puts them, and its directions turned by `turn` `[rad]`.
@@ -182,6 +175,12 @@ impl Outline for Profile {
     fn moved(&self, by: Point) -> Option<Shape> {
         let moved = self.mapped(|at| [at[0] + by[0], at[1] + by[1]], 0.0);
         Some(Shape::Profile(moved))
+    }
+
+    fn turned(&self, angle: f64) -> Option<Shape> {
+        let [cos, sin] = unit_vector(angle);
+        let turn = |[x, y]: Point| [cos * x - sin * y, sin * x + cos * y];
+        Some(Shape::Profile(self.mapped(turn, angle)))
     }
 
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String {

@@ -7,7 +7,8 @@ use serde_json::{Value, json};
 use stickslip::output::{joint_sentence, sentence, summary_json};
 use stickslip::results::{
     CoarseLoadPath, ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion,
-    FurtherSolvers, JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound, Yield,
+    FurtherSolvers, JointFinding, LadderEnd, Quantity, SolverDependence, StatusCycle,
+    UniquenessBound, Yield,
 };
 
 use super::fixture::results;
@@ -119,7 +120,7 @@ fn of_bodies() -> Vec<Finding> {
         Finding::AccuracyMissed {
             number: "peak tangential stress",
             error: 0.0662,
-            end: "finest",
+            end: LadderEnd::Finest,
         },
         Finding::ContactParts { steps },
         Finding::FreeBody(FreeBody {
