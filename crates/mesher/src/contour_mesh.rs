@@ -5,7 +5,8 @@ use stickslip_fem_core::mesh::{ElementKind, Mesh};
 
 use crate::assemble::{Corners, assembled};
 use crate::edges::{Boundary, Link};
-use crate::frame::Framed;
+use crate::frame::{Framed, ordered};
+use crate::orientation::directions;
 use crate::plan::Plan;
 use crate::smooth::smooth;
 use crate::symmetry::Mirror;
@@ -50,8 +51,7 @@ impl ContourMesh {
             ElementKind::T6 => limit / 2,
             _ => limit,
         };
-        let framed = Framed::new(&plan, &self.contour.holes, &self.division);
-        let (mirrors, chains) = Mirror::all(&framed.plan, &self.division.refined);
+        let (framed, (mirrors, chains)) = self.framed(&plan);
         let (half, mirrors) = match refined(&framed.plan, &chains, corners) {
             // Mirrors divide corners, which may leave no room for good cells beside them.
             Err(ContourError::Incomplete { .. } | ContourError::EdgesMeet { .. })
@@ -73,6 +73,27 @@ impl ContourMesh {
         let whole = mirrors.iter().rev().fold(half, unfold);
         let corners = Corners::new(&framed, &plan, whole, &mirrors);
         assembled(&plan, corners, &self.division, limit)
+    }
+
+    /// The frame in which a body has the most mirrors, of several the one whose coordinates come first, with what [`Mirror::all`] finds in it.
+    fn framed(&self, plan: &Plan) -> (Framed, (Vec<Mirror>, Vec<Vec<Link>>)) {
+        let along = |direction| {
+            let framed = Framed::along(direction, plan, &self.contour.holes, &self.division);
+            let mirrors = Mirror::all(&framed.plan, &self.division.refined);
+            (framed, mirrors)
+        };
+        let frames = directions(&plan.outline).into_iter().map(along);
+        let best = frames.reduce(|best, own| {
+            let more = own.1.0.len().cmp(&best.1.0.len());
+            let is_first = || ordered(&best.0.key, &own.0.key);
+            if more.then_with(is_first).is_gt() {
+                own
+            } else {
+                best
+            }
+        });
+        // An outline has a longest piece.
+        best.unwrap_or_else(|| along([1.0, 0.0]))
     }
 
     fn estimated(&self, plan: &Plan) -> MeshEstimate {

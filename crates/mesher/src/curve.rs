@@ -10,7 +10,7 @@ use crate::cubic::Cubic;
 use crate::error::{ContourError, SplineFlaw};
 use crate::spline::{Run, plain_cubics};
 use crate::vector::{
-    NOWHERE, along, circumcircle, cross, distance, dot, grown, middle, minus, orient,
+    NOWHERE, along, circumcircle, cross, distance, dot, grown, middle, minus, orient, turned,
 };
 
 /// Sine below which three points lie on a line.
@@ -168,6 +168,30 @@ impl Track {
             Form::Line => {}
             Form::Arc(bend) => bend.centre = along(bend.centre, 1.0, by),
             Form::Spline(run) => run.shift(by),
+        }
+    }
+
+    /// Turned about the origin, so that what lay along x lies along `direction`.
+    pub(crate) fn turned(&self, direction: Point) -> Self {
+        let [from, to] = [self.from, self.to].map(|end| turned(end, direction));
+        let form = match &self.form {
+            Form::Line => Form::Line,
+            Form::Arc(bend) => Form::Arc(Bend {
+                centre: turned(bend.centre, direction),
+                start: bend.start + direction[1].atan2(direction[0]),
+                ..*bend
+            }),
+            Form::Spline(run) => {
+                let cubics = run.cubics();
+                let own = cubics.map(|cubic| Cubic(cubic.0.map(|at| turned(at, direction))));
+                return Self::along(own.collect());
+            }
+        };
+        Self {
+            from,
+            to,
+            form,
+            length: self.length,
         }
     }
 

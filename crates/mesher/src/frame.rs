@@ -1,10 +1,10 @@
 //! The frame in which a body is triangulated.
 //!
 //! Triangulations depend on the last bits of coordinates and on the order of their points. Bodies are therefore triangulated in a frame of
-//! their own: the box around the outline centred and of unit size, coordinates on a grid of [`GRID`], and of the eight ways to turn and
-//! mirror that box, and of all orders of pieces and holes, the one whose list of coordinates comes first. The same body in other
-//! units, elsewhere, turned by right angles, mirrored, or drawn from another corner has the same triangles, unless a coordinate lies within rounding of the middle between two grid lines. Nodes on the boundary return to
-//! the exact curves. Of a body that is its own image, several ways come first: its triangles are their own images only where `symmetry.rs` finds the mirror.
+//! their own: the box around the outline along a direction of its own (`orientation.rs`), centred and of unit size, coordinates on a grid of
+//! [`GRID`], and of the eight ways to turn and mirror that box, and of all orders of pieces and holes, the one whose list of coordinates
+//! comes first. The same body in other units, elsewhere, turned, mirrored, or drawn from another corner has the same triangles, unless a
+//! coordinate lies within rounding of the middle between two grid lines. Nodes on the boundary return to the exact curves. Of a body that is its own image, several ways come first: its triangles are their own images only where `symmetry.rs` finds the mirror.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -16,9 +16,9 @@ use crate::Division;
 use crate::contour::{Hole, TOLERANCE};
 use crate::cubic::Cubic;
 use crate::curve::Track;
-use crate::outline::Outline;
+use crate::outline::{Outline, bounds};
 use crate::plan::Plan;
-use crate::vector::{grown, middle};
+use crate::vector::{middle, turned};
 
 /// Steps of the grid per size of the body: coarse beside rounding, fine beside cells.
 const GRID: f64 = (1_u64 << 36) as f64;
@@ -33,6 +33,15 @@ pub(crate) struct Framed {
     pub(crate) holes: Vec<usize>,
     /// The ray that each ray of each ring was.
     pub(crate) rays: Vec<Vec<usize>>,
+    /// Its coordinates one after another.
+    pub(crate) key: Vec<f64>,
+    place: Place,
+}
+
+/// Where the frame stands in the drawing.
+struct Place {
+    /// The direction of its x axis.
+    direction: Point,
     centre: Point,
     unit: f64,
     turn: Turn,
@@ -76,33 +85,52 @@ struct Drawing {
 }
 
 impl Framed {
-    /// The frame of a checked body.
-    pub(crate) fn new(plan: &Plan, holes: &[Hole], division: &Division) -> Self {
-        let outline = &plan.outline;
+    /// The frame of a checked body whose x axis lies along the unit vector `direction`.
+    pub(crate) fn along(
+        direction: Point,
+        plan: &Plan,
+        holes: &[Hole],
+        division: &Division,
+    ) -> Self {
+        let back = [direction[0], 0.0 - direction[1]];
+        let outline = plan.outline.turned(back);
+        let by = back[1].atan2(back[0]);
+        let turned_hole = |hole: &Hole| Hole {
+            centre: turned(hole.centre, back),
+            angles: hole.angles.iter().map(|angle| angle + by).collect(),
+            ..hole.clone()
+        };
+        let turned_holes: Vec<Hole> = holes.iter().map(turned_hole).collect();
         let [low, high] = outline.bounds;
         let centre = middle(low, high);
         let unit = (high[0] - low[0]).max(high[1] - low[1]);
-        let drawing = Drawing::new(outline, holes, &division.refined, (centre, unit));
+        let drawing = Drawing::new(&outline, &turned_holes, &division.refined, (centre, unit));
         let ways = Turn::all().map(|turn| (turn, drawing.turned(turn)));
-        let keys = ways.map(|(turn, drawing)| (drawing.key(), turn, drawing));
-        let first = keys.into_iter().min_by(|a, b| ordered(&a.0, &b.0));
+        let keys = ways.map(|(turn, drawing)| (turn, drawing.key(), drawing));
+        let first = keys.into_iter().min_by(|a, b| ordered(&a.1, &b.1));
         // There are eight.
-        let (turn, drawing) = first.map_or((Turn::NONE, drawing), |(_, turn, own)| (turn, own));
-        Self::of(plan, holes, division, (drawing, centre, unit, turn))
+        let (turn, key, drawing) = first.unwrap_or((Turn::NONE, Vec::new(), drawing));
+        let place = Place {
+            direction,
+            centre,
+            unit,
+            turn,
+        };
+        Self::of(plan, holes, division, (drawing, key, place))
     }
 
     fn of(
         plan: &Plan,
         holes: &[Hole],
         division: &Division,
-        (drawing, centre, unit, turn): (Drawing, Point, f64, Turn),
+        (drawing, key, place): (Drawing, Vec<f64>, Place),
     ) -> Self {
         let outline = drawing.outline(&plan.outline);
         let own_holes: Vec<Hole> = drawing.eyes.iter().map(|eye| eye.hole(holes)).collect();
         let division = Division {
             spacing: division
                 .spacing
-                .map(|spacing| on_grid(spacing / unit).max(1.0 / GRID)),
+                .map(|spacing| on_grid(spacing / place.unit).max(1.0 / GRID)),
             ..division.clone()
         };
         let parts = drawing.loops.iter().flatten();
@@ -111,24 +139,22 @@ impl Framed {
             tracks: parts.map(|part| part.track).collect(),
             holes: drawing.eyes.iter().map(|eye| eye.hole).collect(),
             rays: drawing.eyes.iter().map(Eye::rays).collect(),
-            centre,
-            unit,
-            turn,
+            key,
+            place,
         }
     }
 
     /// Whether left and right are exchanged.
     pub(crate) fn mirrors(&self) -> bool {
-        self.turn.mirrors()
+        self.place.turn.mirrors()
     }
 
     /// A point of the frame where it was.
     pub(crate) fn back(&self, point: Point) -> Point {
-        let [x, y] = self.turn.undone(point);
-        [
-            self.centre[0] + self.unit * x,
-            self.centre[1] + self.unit * y,
-        ]
+        let own = &self.place;
+        let [x, y] = own.turn.undone(point);
+        let in_box = [own.centre[0] + own.unit * x, own.centre[1] + own.unit * y];
+        turned(in_box, own.direction)
     }
 }
 
@@ -254,9 +280,6 @@ impl Drawing {
     fn outline(&self, was: &Outline) -> Outline {
         let parts = || self.loops.iter().flatten();
         let tracks: Vec<Track> = parts().map(|part| part.track(was)).collect();
-        let bounds = tracks.iter().map(Track::bounds);
-        let bounds = bounds.reduce(|all, [low, high]| grown(grown(all, low), high));
-        let bounds = bounds.unwrap_or_default();
         let mut begin = 0;
         let loops = self.loops.iter().map(|own| {
             begin += own.len();
@@ -266,8 +289,9 @@ impl Drawing {
             names: parts().map(|part| was.names[part.track].clone()).collect(),
             numbers: parts().map(|part| was.numbers[part.track]).collect(),
             loops: loops.collect(),
+            bounds: bounds(&tracks),
             tracks,
-            ..Outline::within(bounds, TOLERANCE)
+            tolerance: TOLERANCE,
         }
     }
 }
@@ -348,7 +372,7 @@ fn right_angles(angle: f64) -> f64 {
 }
 
 /// The first difference decides.
-fn ordered(a: &[f64], b: &[f64]) -> Ordering {
+pub(crate) fn ordered(a: &[f64], b: &[f64]) -> Ordering {
     let pairs = a.iter().zip(b).map(|(a, b)| a.total_cmp(b));
     pairs
         .into_iter()

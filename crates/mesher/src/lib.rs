@@ -61,6 +61,7 @@ mod edges;
 mod error;
 mod frame;
 mod meet;
+mod orientation;
 mod outline;
 mod path;
 mod plan;

@@ -6,10 +6,10 @@ use std::ops::Range;
 use stickslip_fem_core::mesh::Point;
 
 use crate::curve::Track;
-use crate::vector::{cross, dot};
+use crate::vector::{cross, dot, grown};
 
 /// A closed outline and the cut-outs in it, with the body on the left of all of them.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Outline {
     pub(crate) names: Vec<String>,
     pub(crate) tracks: Vec<Track>,
@@ -53,6 +53,20 @@ impl Outline {
         self.tracks.extend(tracks);
     }
 
+    /// Turned about the origin, so that what lay along x lies along `direction`.
+    pub(crate) fn turned(&self, direction: Point) -> Self {
+        if direction == [1.0, 0.0] {
+            return self.clone();
+        }
+        let tracks = self.tracks.iter().map(|track| track.turned(direction));
+        let tracks: Vec<Track> = tracks.collect();
+        Self {
+            bounds: bounds(&tracks),
+            tracks,
+            ..self.clone()
+        }
+    }
+
     /// Index of the loop of piece `k`.
     pub(crate) fn loop_of(&self, k: usize) -> usize {
         self.loops.partition_point(|own| own.end <= k)
@@ -93,6 +107,13 @@ impl Outline {
         let distances = self.tracks.iter().map(|track| track.distance(point));
         distances.fold(f64::INFINITY, f64::min)
     }
+}
+
+/// Box around tracks.
+pub(crate) fn bounds(tracks: &[Track]) -> [Point; 2] {
+    let all = tracks.iter().map(Track::bounds);
+    let all = all.reduce(|all, [low, high]| grown(grown(all, low), high));
+    all.unwrap_or_default()
 }
 
 /// Angle by which the direction from `point` turns along all of `tracks` `[rad]`.

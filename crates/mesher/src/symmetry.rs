@@ -1,6 +1,6 @@
 //! Bodies that are their own mirror image are triangulated on one side and unfolded, so that their triangles are too.
 //!
-//! Mirrors are the axes of the box around the outline; diagonals and turns without a mirror are not looked for.
+//! Mirrors are the axes of the frame; turns without a mirror are not looked for.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -16,6 +16,9 @@ use crate::vector::distance;
 
 /// Distance below which a point of the unit frame lies on an axis.
 const NEAR: f64 = 1e-9;
+
+/// Least angle inside the body of a corner that a mirror halves `[rad]`: sharper ones would leave cells that are worse than unlike halves.
+const LEAST_HALVED: f64 = 36.0 * PI / 180.0;
 
 /// A mirror through the middle of the frame.
 pub(crate) struct Mirror {
@@ -47,19 +50,23 @@ impl Mirror {
 
     fn new(plan: &Plan, refined: &BTreeMap<usize, f64>, across: usize) -> Option<Self> {
         let outline = &plan.outline;
-        let key = |points: [Point; 3]| points.map(|p| p.map(f64::to_bits));
+        let is_halved = |k: &usize| outline.tracks[*k].from[across].abs() < NEAR;
+        let mut halved = (0..outline.tracks.len()).filter(is_halved);
+        if halved.any(|k| outline.angle(k) < LEAST_HALVED) {
+            return None;
+        }
         let shape = |track: &Track| [track.from, track.at(track.length() / 2.0), track.to];
-        // Lines and arcs between the same points differ in their middles, which are known to rounding.
-        let ends = |[from, _, to]: [Point; 3]| key([from, from, to]);
-        let all = outline.tracks.iter().enumerate();
-        let by_ends: BTreeMap<_, usize> = all.map(|(k, track)| (ends(shape(track)), k)).collect();
         let image = |k: usize| {
             let [from, halfway, to] = shape(&outline.tracks[k]).map(|p| mirrored(p, across));
-            let own = *by_ends.get(&ends([to, halfway, from]))?;
             let fine = |track: usize| refined.get(&outline.numbers[track]);
-            let same = distance(shape(&outline.tracks[own])[1], halfway) < NEAR
-                && are_images([own, k].map(|k| &outline.tracks[k]), across);
-            (same && fine(own) == fine(k)).then_some(own)
+            let is_image = |own: &usize| {
+                let points = shape(&outline.tracks[*own]).into_iter();
+                let mut pairs = points.zip([to, halfway, from]);
+                pairs.all(|(one, other)| distance(one, other) < NEAR)
+                    && are_images([*own, k].map(|k| &outline.tracks[k]), across)
+                    && fine(*own) == fine(k)
+            };
+            (0..outline.tracks.len()).find(is_image)
         };
         Some(Self {
             across,

@@ -11,6 +11,11 @@ pub(crate) fn along(a: Point, t: f64, b: Point) -> Point {
     [a[0] + t * b[0], a[1] + t * b[1]]
 }
 
+/// Turned about the origin, so that what lay along x lies along `direction`.
+pub(crate) fn turned([x, y]: Point, [cos, sin]: Point) -> Point {
+    [cos * x - sin * y, sin * x + cos * y]
+}
+
 pub(crate) fn middle(a: Point, b: Point) -> Point {
     [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])]
 }

@@ -2,10 +2,13 @@
 
 mod angles;
 mod partners;
+mod turns;
 
+use self::turns::Turned;
 pub(super) use angles::on_circles;
 
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use stickslip_fem_core::generate::{Extent, GenerateError};
@@ -38,6 +41,7 @@ pub(super) fn build(
     choices: &mut Vec<Choice>,
 ) -> Result<Meshes, ModelError> {
     let partners = partners::of(plan)?;
+    let turns = turns::of(plan);
     let mut meshes = Meshes::new();
     let mut layers = Vec::new();
     let mut counts = Vec::new();
@@ -50,14 +54,15 @@ pub(super) fn build(
         } else {
             Vec::new()
         };
+        let turn = turns[index];
         if let (Some(seat), None) = (&body.seat, &body.series) {
             for angle in &mut angles {
-                *angle = seat.facing(*angle);
+                *angle = seat.facing(*angle + turn) - turn;
             }
         }
         let partner = partners.get(&index).map(|&partner| &plan.bodies[partner]);
         let made = |most_layers| {
-            let meshing = meshing(body, partner, &angles, half, most_layers)?;
+            let meshing = turned_meshing(body, partner, &angles, half, most_layers, turn)?;
             let mesh = meshing.generator.generate_within(most_nodes(limits))?;
             Ok((meshing.layers, mesh))
         };
@@ -104,6 +109,40 @@ fn meshing(
         centre: body.centre,
         partner: partner.map(|partner| &**partner.shape),
         most: NODE_LIMIT,
+    })
+}
+
+/// The same, with angles that count from `turn` `[rad]`.
+fn turned_meshing(
+    body: &BodyPlan<'_>,
+    partner: Option<&BodyPlan<'_>>,
+    angles: &[f64],
+    half: bool,
+    most_layers: usize,
+    turn: f64,
+) -> Result<Meshing, DivisionError> {
+    if turn == 0.0 {
+        return meshing(body, partner, angles, half, most_layers);
+    }
+    if body.shape.is_placed() {
+        let from_turn = angles.iter().map(|angle| (angle + turn).rem_euclid(TAU));
+        let mut angles: Vec<f64> = from_turn.collect();
+        angles.sort_by(f64::total_cmp);
+        return meshing(body, partner, &angles, half, most_layers);
+    }
+    let at_origin = BodyPlan {
+        centre: [0.0; 2],
+        ..body.clone()
+    };
+    let own = meshing(&at_origin, partner, angles, half, most_layers)?;
+    let generator = Turned {
+        generator: own.generator,
+        turn,
+        centre: body.centre,
+    };
+    Ok(Meshing {
+        generator: Box::new(generator),
+        ..own
     })
 }
 

@@ -317,6 +317,10 @@ impl Outline for GivenMesh {
         }))
     }
 
+    fn turn(&self) -> f64 {
+        self.turn
+    }
+
     fn turned(&self, angle: f64) -> Option<Shape> {
         let Some(mesh) = self.mesh.as_deref() else {
             // The file was refused.

@@ -103,6 +103,11 @@ pub trait Outline: fmt::Debug {
         None
     }
 
+    /// By what angle about its origin the scene turns it `[rad]`.
+    fn turn(&self) -> f64 {
+        0.0
+    }
+
     /// The same body turned by `angle` `[rad]` about its origin; `None` of one that is not [placed](Self::is_placed).
     fn turned(&self, _angle: f64) -> Option<Shape> {
         None

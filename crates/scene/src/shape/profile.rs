@@ -40,6 +40,8 @@ pub struct Profile {
     pub refine: Vec<f64>,
     /// Named places where edges end.
     pub points: BTreeMap<String, Point>,
+    /// By what it is turned from how it is drawn `[rad]`.
+    pub(super) turn: f64,
 }
 
 impl Profile {
@@ -52,6 +54,7 @@ impl Profile {
             points: points
                 .map(|(name, &at)| (name.clone(), place(at)))
                 .collect(),
+            turn: self.turn + turn,
         }
     }
 }
@@ -175,6 +178,10 @@ impl Outline for Profile {
     fn moved(&self, by: Point) -> Option<Shape> {
         let moved = self.mapped(|at| [at[0] + by[0], at[1] + by[1]], 0.0);
         Some(Shape::Profile(moved))
+    }
+
+    fn turn(&self) -> f64 {
+        self.turn
     }
 
     fn turned(&self, angle: f64) -> Option<Shape> {

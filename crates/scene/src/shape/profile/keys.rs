@@ -194,6 +194,7 @@ impl Keys {
             points: (points.iter())
                 .map(|(name, at)| (name.clone(), place(at)))
                 .collect(),
+            turn: 0.0,
         };
         let lists = cutouts.iter().map(|(name, own)| {
             let table = child(&child(table, "cutouts"), name);

@@ -1,0 +1,53 @@
+//! Nodes of circles turn with the body that the scene turns, and with them all that touch it along circles: a turned scene has the
+//! turned mesh.
+
+use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate, unit_vector};
+use stickslip_fem_core::mesh::{Mesh, Point};
+
+use crate::model::plan::Plan;
+
+/// The angle from which each body's nodes on circles count `[rad]`, by index: zero where a body by series touches.
+pub(super) fn of(plan: &Plan<'_>) -> Vec<f64> {
+    let count = plan.bodies.len();
+    let mut group: Vec<usize> = (0..count).collect();
+    for contact in plan.contacts.iter().filter(|own| own.radii().is_some()) {
+        let [one, other] = [0, 1].map(|side| group[contact.sides[side].body]);
+        for own in &mut group {
+            if *own == other {
+                *own = one;
+            }
+        }
+    }
+    let turn = |body: usize| {
+        let members = || (0..count).filter(|&other| group[other] == group[body]);
+        let mut placed = members().filter(|&other| plan.bodies[other].shape.is_placed());
+        if members().any(|other| plan.bodies[other].series.is_some()) {
+            return 0.0;
+        }
+        placed
+            .next()
+            .map_or(0.0, |other| plan.bodies[other].shape.turn())
+    };
+    (0..count).map(turn).collect()
+}
+
+/// A mesh turned about its origin, which stands at `centre`.
+pub(super) struct Turned {
+    pub(super) generator: Box<dyn Generate<Output = Mesh>>,
+    pub(super) turn: f64,
+    pub(super) centre: Point,
+}
+
+impl Generate for Turned {
+    type Output = Mesh;
+
+    fn estimate(&self) -> Result<MeshEstimate, GenerateError> {
+        self.generator.estimate()
+    }
+
+    fn generate_within(&self, limit: usize) -> Result<Mesh, GenerateError> {
+        let mesh = self.generator.generate_within(limit)?;
+        let turned = mesh.turned(unit_vector(self.turn))?;
+        Ok(turned.translated(self.centre)?)
+    }
+}
