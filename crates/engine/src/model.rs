@@ -62,6 +62,8 @@ pub struct ModelContact {
     pub mirror: Option<Mirror>,
     /// Difference of the radii of two circles `[mm]`; 0 for an interference and without circles.
     pub clearance: f64,
+    /// Where the centre of the second of two circles starts, seen from that of the first `[mm]`.
+    pub start: Point,
     /// Whether an initial overlap is meant.
     pub interference: bool,
 }
@@ -271,6 +273,7 @@ fn known_of_contacts(plan: &Plan<'_>, half: bool) -> Vec<ModelContact> {
     let known = |contact: &plan::ContactPlan<'_>| ModelContact {
         mirror: half.then(|| extent::mirror(plan, contact)).flatten(),
         clearance: (contact.radii()).map_or(0.0, |[hole, inner]| (hole - inner).max(0.0)),
+        start: contact.offset,
         interference: contact.of.interference,
     };
     plan.contacts.iter().map(known).collect()

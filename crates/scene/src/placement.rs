@@ -1,11 +1,14 @@
 //! Where round bodies stand: each in the hole that holds it.
 //!
 //! ```text
-//! centre(second) = centre(first) + c_first − c_second + (max(c, 0), 0),     c = R_first − R_second
+//! centre(second) = centre(first) + c_first − c_second + max(c, 0) a,     c = R_first − R_second
 //! ```
 //!
-//! c are the centres of the circles, each seen from that of its body. A body that no hole holds stands at its own position. One with clearance starts where it touches at θ = 0, one with
-//! interference concentric with what holds it. All slices of a fastener start at the smallest c among them, so that they have one axis.
+//! c are the centres of the circles, each seen from that of its body. A body that no hole holds stands at its own position. One with clearance starts where it
+//! touches along the axis a in which the loads drive it (x, unless all or its own act otherwise), one with interference concentric with what holds it. All
+//! slices of a fastener start at the smallest c among them, so that they have one axis.
+
+mod axis;
 
 use stickslip_fem_core::mesh::Point;
 
@@ -40,7 +43,12 @@ pub fn offset(scene: &Scene, contact: &Contact) -> Point {
     let least = clearances
         .map(|[hole, inner]| hole - inner)
         .reduce(f64::min);
-    [least.unwrap_or_default().max(0.0), 0.0]
+    let inner = |body: &str| match fastener {
+        Some(fastener) => fastener.slices.iter().any(|slice| slice == body),
+        None => own == body,
+    };
+    let away = least.unwrap_or_default().max(0.0);
+    axis::of(scene, contact, &inner).map(|part| away * part)
 }
 
 /// Centre of `body` `[mm]`.

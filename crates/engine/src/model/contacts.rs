@@ -11,7 +11,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use stickslip_contact::{ContactPair, ContactPoint, Facing};
-use stickslip_fem_core::mesh::Point;
+use stickslip_fem_core::mesh::{Mesh, Point};
 
 use self::edge::{EdgeNodes, edge_nodes, reported_nodes};
 use self::geometry::Geometry;
@@ -63,7 +63,7 @@ pub(super) fn build(
         let body = &plan.bodies[reported.body];
         let edge = reported_nodes(reported, body, meshes, half)?;
         let edge = edge.into_model_edge(reported, body, half, None);
-        let mut edge = loaded(plan, reported, edge);
+        let mut edge = loaded(plan, reported, edge, &meshes[&reported.body]);
         edge.geometry.frame = loads::frame(plan, reported.of, half);
         contacts.edges.push(edge);
     }
@@ -126,7 +126,7 @@ impl Contacts {
         }
         let local = above.local.clone();
         let edge = upper.into_model_edge(first, body, half, Some(self.pairs.len()));
-        let mut edge = loaded(plan, first, edge);
+        let mut edge = loaded(plan, first, edge, &meshes[&first.body]);
         edge.geometry.second = lower.map(|lower| SecondSide {
             body: second.body,
             normals: lower.path.iter().map(|(_, normal)| *normal).collect(),
@@ -203,9 +203,10 @@ fn shared(known: &[usize], nodes: &[usize]) -> usize {
 }
 
 /// `edge` with what else than contact acts on it.
-fn loaded(plan: &Plan<'_>, on: &Placed<'_, SetRef>, mut edge: ModelEdge) -> ModelEdge {
+fn loaded(plan: &Plan<'_>, on: &Placed<'_, SetRef>, mut edge: ModelEdge, mesh: &Mesh) -> ModelEdge {
     edge.tractions = edge_loads::edge_tractions(plan, on, &edge);
     edge.reactions = edge_loads::edge_reactions(plan, on, &edge);
+    edge.shared_ends = edge_loads::shared_ends(plan, on, &edge, mesh);
     edge
 }
 

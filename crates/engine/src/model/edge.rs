@@ -21,6 +21,8 @@ pub struct ModelEdge {
     pub normals: Vec<[f64; 2]>,
     /// Tractions (σ_nn, τ_nt) per node of a unit reaction there along x and along y `[1/mm²]`; empty where nothing holds it.
     pub reactions: Vec<[[f64; 2]; 2]>,
+    /// Whether its first and its last node are held beside this edge too, so that reactions there are not its own alone.
+    pub shared_ends: [bool; 2],
     /// Index of the contact pair.
     pub pair: Option<usize>,
     /// Up to where from the bearing point θ = 0 or x = 0 the mesh along it is fine `[rad or mm]`; `None` for all of it.
@@ -40,6 +42,25 @@ impl ModelEdge {
         let last = rows.iter().rev().take(self.order + 1).any(touches);
         let is_corner = self.ends.map(|end| end == EdgeEnd::Corner);
         [is_corner[0] && first, is_corner[1] && last]
+    }
+
+    /// Puts at ends that are held beside this edge too what the line through the `tractions` of the next two nodes is there.
+    pub fn continue_to_shared_ends(&self, tractions: &mut [[f64; 2]]) {
+        let (count, places) = (tractions.len(), &self.geometry.parameter);
+        if count < 3 {
+            return;
+        }
+        for (is_shared, [end, next, far]) in self
+            .shared_ends
+            .into_iter()
+            .zip([[0, 1, 2], [count - 1, count - 2, count - 3]])
+        {
+            if is_shared {
+                let part = (places[end] - places[next]) / (places[next] - places[far]);
+                let [near, beyond] = [tractions[next], tractions[far]];
+                tractions[end] = [0, 1].map(|axis| near[axis] + part * (near[axis] - beyond[axis]));
+            }
+        }
     }
 
     /// Whether it belongs to the body with the index `body` and something holds it.

@@ -1,5 +1,6 @@
 //! Tractions on reported edges, of loads and of reactions.
 
+use stickslip_fem_core::mesh::Mesh;
 use stickslip_scene::schema::{LoadKind, SetRef};
 
 use super::ModelEdge;
@@ -102,4 +103,29 @@ pub(super) fn edge_reactions(
         })
     };
     (0..=ends).map(of_node).collect()
+}
+
+/// Whether the first and the last node of a reported edge that is held are held by another set of the body too.
+pub(super) fn shared_ends(
+    plan: &Plan<'_>,
+    placed: &Placed<'_, SetRef>,
+    edge: &ModelEdge,
+    mesh: &Mesh,
+) -> [bool; 2] {
+    let ([first, .., last], None, false) = (
+        &edge.nodes[..],
+        edge.geometry.closed(),
+        edge.reactions.is_empty(),
+    ) else {
+        return [false; 2];
+    };
+    let supports = plan.supports.iter().map(|own| &own.of.on);
+    let springs = plan.springs.iter().map(|own| &own.of.on);
+    let platens = plan.platens.iter().map(|own| &own.of.on);
+    let others = supports.chain(springs).chain(platens);
+    let others = others.filter(|on| on.body == placed.of.body && *on != placed.of);
+    let held: Vec<&[usize]> = others
+        .filter_map(|on| mesh.node_set(&on.set).ok())
+        .collect();
+    [first, last].map(|node| held.iter().any(|nodes| nodes.contains(node)))
 }

@@ -1,5 +1,7 @@
 //! Sets of nodes that loads act on and that supports hold, by which displacements and reactions are reported.
 
+use std::collections::BTreeMap;
+
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::mesh::MeshError;
 use stickslip_scene::schema::{LoadKind, SetRef, SpringSupport};
@@ -39,9 +41,10 @@ pub enum Measure {
     },
     /// Of what holds it: the displacement is given.
     Held {
-        /// The nodes that are held; `None` for all of a body that is held as a whole: by its area, a rigid one or one by series.
-        nodes: Option<Vec<usize>>,
-        /// What the resultant of their reactions is multiplied with: the direction, of a half model by what the other half takes too.
+        /// The nodes that are held, each with what its reaction is multiplied with: its part of `along`. `None` for all of a body that is held as a
+        /// whole: by its area, a rigid one or one by series.
+        nodes: Option<NodeWeights>,
+        /// What the resultant is multiplied with: the direction, of a half model by what the other half takes too.
         along: [f64; 2],
         /// `[mm]`
         displacement: f64,
@@ -109,7 +112,62 @@ pub(super) fn all(
             sets.push(held(context, platen.body, &platen.of.on, direction, 0.0)?);
         }
     }
+    share_nodes(plan, half, &mut sets);
     Ok(sets)
+}
+
+/// Divides the reactions at nodes that several sets hold, or one in several directions, among them: the least forces along the
+/// directions whose sum is the reaction.
+fn share_nodes(plan: &Plan<'_>, half: bool, sets: &mut [ModelSet]) {
+    let mut holders: BTreeMap<(usize, usize), Vec<(usize, usize)>> = BTreeMap::new();
+    for (set, own) in sets.iter().enumerate() {
+        if let Measure::Held {
+            nodes: Some(nodes), ..
+        } = &own.measure
+        {
+            for (place, (node, _)) in nodes.iter().enumerate() {
+                let known = holders.entry((own.set.body, *node)).or_default();
+                known.push((set, place));
+            }
+        }
+    }
+    for own in holders.into_values().filter(|own| own.len() > 1) {
+        let directions: Vec<[f64; 2]> = own.iter().map(|&(set, _)| sets[set].set.along).collect();
+        for (&(set, place), share) in own.iter().zip(shares(&directions)) {
+            let counts = counts(plan, sets[set].set.body, half);
+            if let Measure::Held {
+                nodes: Some(nodes), ..
+            } = &mut sets[set].measure
+            {
+                nodes[place].1 = [0, 1].map(|axis| counts[axis] * share[axis]);
+            }
+        }
+    }
+}
+
+/// By how much forces along x and y on a body count: in a half model what the other half takes counts too, and nothing across.
+fn counts(plan: &Plan<'_>, body: usize, half: bool) -> [f64; 2] {
+    match plan.bodies[body].shape.mirror().filter(|_| half) {
+        Some(0) => [0.0, 2.0],
+        Some(_) => [2.0, 0.0],
+        None => [1.0; 2],
+    }
+}
+
+/// The vectors wᵢ for which the forces R·wᵢ along the unit vectors dᵢ are the least with the sum R, as far as they can have it.
+fn shares(directions: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let [a, b, c] = directions.iter().fold([0.0; 3], |[a, b, c], [x, y]| {
+        [a + x * x, b + x * y, c + y * y]
+    });
+    let (trace, determinant) = (a + c, a * c - b * b);
+    let share = |&[x, y]: &[f64; 2]| {
+        if determinant > 1e-12 * trace * trace {
+            [(c * x - b * y) / determinant, (a * y - b * x) / determinant]
+        } else {
+            [x / trace, y / trace]
+        }
+    };
+    directions.iter().map(share).collect()
 }
 
 /// Nodes with their weights along x and y.
@@ -201,11 +259,8 @@ fn held(
     let reach = nodes
         .as_ref()
         .and_then(|nodes| reach(own, nodes.iter().copied()));
-    let mut along = direction;
-    if let Some(across) = shape.mirror().filter(|_| half) {
-        along[across] = 0.0;
-        along[1 - across] *= 2.0;
-    }
+    let counts = counts(plan, body, half);
+    let along = [0, 1].map(|axis| counts[axis] * direction[axis]);
     Ok(ModelSet {
         set: LoadedSet {
             name: on.to_string(),
@@ -216,7 +271,7 @@ fn held(
             reach,
         },
         measure: Measure::Held {
-            nodes,
+            nodes: nodes.map(|nodes| nodes.into_iter().map(|node| (node, along)).collect()),
             along,
             displacement,
         },

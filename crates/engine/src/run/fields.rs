@@ -67,12 +67,9 @@ impl Recovered {
             let of_node = |(&node, [x, y]): (&usize, &[[f64; 2]; 2])| {
                 [0, 1].map(|part| residual[2 * node] * x[part] + residual[2 * node + 1] * y[part])
             };
-            *tractions = edge
-                .nodes
-                .iter()
-                .zip(&edge.reactions)
-                .map(of_node)
-                .collect();
+            let own = edge.nodes.iter().zip(&edge.reactions).map(of_node);
+            *tractions = own.collect();
+            edge.continue_to_shared_ends(tractions);
         }
     }
 }

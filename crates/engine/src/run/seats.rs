@@ -10,7 +10,7 @@ use stickslip_contact::StepRecord;
 use stickslip_contact::deformed::is_free_to_turn;
 
 use super::solved::Solved;
-use crate::model::{Model, Seat};
+use crate::model::{Model, ModelContact, Seat};
 use crate::results::{ContactFinding, EdgeGeometry, EdgeKind, Finding, Quantity};
 
 /// Part of the distance of nodes beyond which pairs are too far apart.
@@ -55,9 +55,11 @@ impl Faced {
             None => geometry.parameter.clone(),
         };
         let paired = edges.map_or_else(|| first.clone(), |edges| edges.second.places().to_vec());
-        let start = solved.interface.contacts().pair_points(pair).start;
-        let clearance = model.contacts[pair].clearance;
-        let moved = |k: usize| record.state.tangential_displacement(start + k);
+        let first_point = solved.interface.contacts().pair_points(pair).start;
+        let ModelContact {
+            clearance, start, ..
+        } = model.contacts[pair];
+        let moved = |k: usize| record.state.tangential_displacement(first_point + k);
         let bodies = [&model.pairs[pair].first, &model.pairs[pair].second];
         let turns = bodies.map(|&body| is_free_to_turn(solved.operators[body].interface()));
         // A circle that turns about its centre faces what it faced.
@@ -72,8 +74,8 @@ impl Faced {
         };
         let facing = |(k, angle): (usize, &f64)| {
             let (sine, cosine) = angle.sin_cos();
-            // Without load the second circle touches at 0; from there the first moves along it.
-            let there = (radius * sine).atan2(radius * cosine - clearance);
+            // From where the second circle starts the first moves along it.
+            let there = (radius * sine - start[1]).atan2(radius * cosine - start[0]);
             angle + apart(there, *angle) + (moved(k) - turn) / (radius - clearance)
         };
         Some(Self {

@@ -58,14 +58,18 @@ impl Moved<'_> {
                 along,
                 displacement,
             } => {
-                let [x, y] = nodes.as_ref().map_or(self.whole, |nodes| {
-                    nodes.iter().fold([0.0; 2], |[x, y], &node| {
-                        let own = (self.reaction)(node);
-                        [x + own[0], y + own[1]]
-                    })
-                });
+                let part = |[x, y]: [f64; 2], along: &[f64; 2]| along[0] * x + along[1] * y;
+                let force = nodes.as_ref().map_or_else(
+                    || part(self.whole, along),
+                    |nodes| {
+                        let parts = nodes.iter();
+                        parts
+                            .map(|(node, own)| part((self.reaction)(*node), own))
+                            .sum()
+                    },
+                );
                 SetMotion {
-                    force: along[0] * x + along[1] * y,
+                    force,
                     displacement: *displacement,
                 }
             }

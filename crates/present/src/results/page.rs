@@ -245,12 +245,7 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<Row> {
     }
     if let Some((hoop, place)) = record.peak_hoop {
         let name = format!("Largest {}", edge.stress_symbols()[1]);
-        let estimated = record.errors.get(Stated::PeakHoop);
-        let error = if edge.results().ladder.is_some() {
-            estimated
-        } else {
-            record.peak_hoop_uncertainty
-        };
+        let error = record.errors.get(Stated::PeakHoop);
         add(
             name,
             format!("{} at {}", stress(hoop, error), edge.at(place)),

@@ -119,8 +119,7 @@ static QUANTITIES: [EdgeQuantity; 19] = [
     stress("peak_hoop_uncertainty", 2, |edge, step| {
         edge.step(step).peak_hoop_uncertainty
     })
-    .on(Edges::All)
-    .headed(|_| "±".into()),
+    .on(Edges::All),
     place("peak_hoop", |edge, step| {
         Some(edge.geometry.seen(edge.step(step).peak_hoop?.1))
     })

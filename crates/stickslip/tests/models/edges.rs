@@ -1,5 +1,7 @@
 //! Stresses along edges on which contact, loads and supports act together.
 
+use std::f64::consts::PI;
+
 use stickslip::results::{EdgeRow, Results};
 
 use super::{difference, model, solved, upper};
@@ -92,6 +94,103 @@ fn a_held_edge_carries_the_reaction_of_lame() {
     }
     let unloaded = results.steps[1].edges.iter().flat_map(|edge| &edge.rows);
     assert!(unloaded.into_iter().all(|row| row.sigma_normal == 0.0));
+}
+
+/// A plate that cannot expand between its supports, which share corners, and on a slope.
+const CLAMPED: &str = r#"
+version = 1
+[materials.metal.isotropic]
+young = "210 GPa"
+poisson = 0.3
+expansion = "12e-6 1/K"
+[bodies.block]
+material = "metal"
+thickness = "2 mm"
+shape.rectangle = { width = "10 mm", height = "10 mm" }
+[mesh]
+spacing = "2.5 mm"
+[[supports]]
+on = "block.left"
+fix = ["x"]
+[[supports]]
+on = "block.right"
+fix = ["x"]
+[[supports]]
+on = "block.bottom"
+fix = ["x", "y"]
+[[loads]]
+on = "block"
+temperature.steps = ["100 K"]
+[[edges]]
+on = "block.bottom"
+[[edges]]
+on = "block.left"
+[output]
+fields = "none"
+"#;
+
+/// Uniform stress is found on edges up to the corners that supports share, of which each counts its own part.
+#[test]
+fn corners_of_two_supports_carry_what_is_beside_them() {
+    let expected = -210e3 * 12e-6 * 100.0;
+    for element in ["Q4", "Q8"] {
+        let results = solved(CLAMPED, &[&format!("mesh.element={element}")]);
+        for (edge, [normal, along]) in [(0, [0.0, expected]), (1, [expected, 0.0])] {
+            for row in &results.steps[0].edges[edge].rows {
+                for (found, expected) in [
+                    (row.sigma_normal, normal),
+                    (row.sigma_tangential, along),
+                    (row.tau, 0.0),
+                ] {
+                    assert!((found - expected).abs() < 1e-8, "{element} {edge}: {row:?}");
+                }
+            }
+        }
+    }
+}
+
+/// A wedge between a floor and a slope of 30°, on rollers that share a corner: the reactions are those of statics.
+#[test]
+fn supports_that_share_a_corner_balance_the_loads() {
+    let text = r#"
+version = 1
+[materials.metal.isotropic]
+young = "210 GPa"
+poisson = 0.3
+[bodies.wedge]
+material = "metal"
+thickness = "2 mm"
+[bodies.wedge.shape.outline]
+start = ["0 mm", "0 mm"]
+edges = [
+  { name = "floor", to = ["40 mm", "0 mm"] },
+  { name = "slope", to = ["23.0940107676 mm", "29.2820323028 mm"] },
+  { name = "top", to = ["0 mm", "29.2820323028 mm"] },
+  { name = "left" },
+]
+[mesh]
+spacing = "5 mm"
+[[supports]]
+on = "wedge.floor"
+fix = ["y"]
+[[supports]]
+on = "wedge.slope"
+normal = "30 deg"
+[[loads]]
+on = "wedge.left"
+force = { direction = [1, 0], steps = ["1 kN"] }
+[output]
+fields = "none"
+"#;
+    let results = solved(text, &[]);
+    let reaction = |on: &str| {
+        let held = results.sets.iter().position(|set| set.on == on).unwrap();
+        results.steps[0].sets[held].unwrap().force
+    };
+    let (sin, cos) = (PI / 6.0).sin_cos();
+    let slope = -1000.0 / cos;
+    assert!((reaction("wedge.slope") / slope - 1.0).abs() < 1e-9);
+    assert!((reaction("wedge.floor") + slope * sin).abs() < 1e-6);
 }
 
 #[test]

@@ -57,6 +57,9 @@ const PRESSED: [&str; 2] = [
     "contacts.0.interference=true",
 ];
 
+/// A clearance of 2 % of the radius, so that gaps depend on where the pin starts.
+const LOOSE: [&str; 1] = ["bodies.pin.shape.disk.radius=9.8 mm"];
+
 /// A pin as soft as the ring; its mesh comes to itself again by quarter turns only.
 const ELASTIC: [&str; 1] =
     ["bodies.pin={ material = \"metal\", thickness = \"2 mm\", shape.disk.radius = \"10 mm\" }"];
@@ -341,8 +344,80 @@ fn turned_and_mirrored_scenes_have_the_same_numbers_and_sentences() {
         &[],
         &[motion(30.0, false), motion(90.0, false), motion(0.0, true)],
     );
+    compare(&LOOSE, &[motion(30.0, false), motion(-75.0, true)]);
     compare(&PRESSED, &[motion(-127.5, false), motion(52.5, true)]);
     compare(&ELASTIC, &[motion(-90.0, false), motion(180.0, true)]);
+}
+
+/// A tapered lug on a pin with clearance and friction, drawn along x.
+const LUG: &str = r#"
+version = 1
+[materials.metal.isotropic]
+young = "70 GPa"
+poisson = 0.33
+[bodies.lug]
+material = "metal"
+thickness = "2 mm"
+[bodies.lug.shape.outline]
+start = ["-40 mm", "-16 mm"]
+edges = [
+  { name = "lower", to = ["0 mm", "-12 mm"] },
+  { name = "end", through = ["12 mm", "0 mm"], to = ["0 mm", "12 mm"] },
+  { name = "upper", to = ["-40 mm", "16 mm"] },
+  { name = "root" },
+]
+holes.bolt = { centre = ["0 mm", "1 mm"], radius = "5 mm" }
+[bodies.pin]
+material = "metal"
+thickness = "2 mm"
+shape.disk.radius = "4.95 mm"
+[mesh]
+spacing = "5 deg"
+[[contacts]]
+first = "lug.bolt"
+second = "pin.rim"
+friction.coulomb = { mu = 0.3 }
+[[supports]]
+on = "lug.root"
+fix = ["x", "y"]
+[[loads]]
+on = "pin.section"
+force = { direction = [1, 0.2], steps = ["2 kN", "4 kN", "1 kN"] }
+[output]
+fields = "none"
+figures = false
+"#;
+
+/// Its triangles and the nodes of hole and pin turn with it.
+#[test]
+fn a_turned_lug_has_the_same_numbers() {
+    let numbers = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let [x, y] = [cos - 0.2 * sin, sin + 0.2 * cos];
+        let turned = [
+            format!("bodies.lug.angle={degrees} deg"),
+            format!("loads.0.force.direction=[{x:.17}, {y:.17}]"),
+        ];
+        let results = solved(LUG, &turned.each_ref().map(String::as_str));
+        let steps = results.steps.iter().flat_map(|step| {
+            let edge = &step.edges[0];
+            let ends = [edge.contact_half_extent, edge.stick_half_extent];
+            let peaks = [
+                edge.peak_pressure.map(|peak| peak.0),
+                edge.peak_hoop.map(|peak| peak.0),
+            ];
+            ends.into_iter().chain(peaks).flatten().collect::<Vec<_>>()
+        });
+        steps.collect::<Vec<f64>>()
+    };
+    let still = numbers(0.0);
+    assert_eq!(still.len(), 12);
+    for degrees in [30.0, 90.0, -61.0] {
+        for (own, other) in numbers(degrees).iter().zip(&still) {
+            let apart = (own / other - 1.0).abs();
+            assert!(apart < 1e-9, "{degrees}°: {own} {other}: {apart:.1e}");
+        }
+    }
 }
 
 /// Half of a symmetric scene that bears at 180° reads as its mirror image does.

@@ -214,6 +214,7 @@ impl EdgeNodes {
             along,
             normals,
             reactions: Vec::new(),
+            shared_ends: [false; 2],
             pair,
             fine_to: match self.kind {
                 EdgeKind::Circle { .. } | EdgeKind::Line => body.fine_to(),

@@ -8,7 +8,7 @@ use stickslip_joint::{Gauge, Hole, Mark, Pull};
 use stickslip_scene::schema::{Axis, Control};
 
 use super::subject::Subject;
-use crate::model::{Model, ModelBodyKind};
+use crate::model::{Model, ModelBodyKind, ModelContact};
 use crate::results::{BearingSource, ContactFrame};
 
 /// Where the joint is read.
@@ -89,8 +89,13 @@ impl Subject<'_> {
                     body: own,
                     node: nearest(mesh, [centre[0] - far * x, centre[1] - far * y]),
                 },
-                // From where it starts, the pin travels c (1 − cos θ_b) to where a clearance c lets it touch.
-                free_travel: model.contacts[pair].clearance * (1.0 - direction[0]),
+                // From where it starts, c a, the pin travels c (1 − a·e_b) to where a clearance c lets it touch.
+                free_travel: {
+                    let ModelContact {
+                        clearance, start, ..
+                    } = model.contacts[pair];
+                    clearance - start[0] * direction[0] - start[1] * direction[1]
+                },
             },
             hole: Hole {
                 centre,

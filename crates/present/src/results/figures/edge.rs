@@ -134,7 +134,7 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
         let margin = edge.peak_hoop_uncertainty;
         if let Some(margin) = margin.filter(|_| view.results().ladder.is_none()) {
             sentences.push(format!(
-                "It sits in a cusp at the end of contact, where values converge like the root of the node spacing: uncertain by {}.",
+                "It sits in a cusp at the end of contact, where values converge like the root of the node spacing; the next node has {} less, and the error may be larger.",
                 value(margin)
             ));
         }

@@ -154,7 +154,7 @@ pub(super) fn free_travel(view: &ProgressiveView<'_>) -> Option<String> {
     let own = view.progressive;
     (own.free_travel > 0.0).then(|| {
         format!(
-            "Displacements count from where the pin can bear at θ = {}°: the {} {} that it moves before, from where it touches at θ = 0, are left out.",
+            "Displacements count from where the pin can bear at θ = {}°: the {} {} that it moves before, from where it starts, are left out.",
             decimals(Some(own.frame.bearing.unwrap_or_default().to_degrees()), 0),
             significant(view.failure.length(own.free_travel), 3),
             view.length_unit()
