@@ -13,7 +13,7 @@ use crate::numbers::{Numbers, Table, difference, sum};
 use crate::worst::{Worst, worst, worst_of_step};
 use crate::{division, failure, path, stated, unseen};
 use stickslip_engine::model::obstacle_to_half;
-use stickslip_engine::results::{Finding, Ladder, LadderEnd, Results, Rung, Stated};
+use stickslip_engine::results::{Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated};
 use stickslip_engine::run::{Progress, RunError, results, run_with};
 
 /// Increments of a load step with friction that are first compared with twice as many.
@@ -57,7 +57,7 @@ pub(crate) fn climb(
     let (base, mut model) = climb.kinematics(progress)?;
     let (base, path) = match climb.increments(base, progress) {
         Err(why) if model.is_chosen_deformed => {
-            model = Geometry::unknown(&why.to_string());
+            model = Geometry::unknown(&why);
             climb.models.kinematics = KinematicsChoice::Small;
             let substeps = vec![scene.analysis.substeps(); scene.steps()];
             let base = climb.models.level(1, &substeps, progress)?;
@@ -184,7 +184,7 @@ impl Climb<'_> {
         }
         let deformed = match self.deformed(&small, progress) {
             Ok(deformed) => deformed,
-            Err(why) => return Ok((small, Geometry::unknown(&why.to_string()))),
+            Err(why) => return Ok((small, Geometry::unknown(&why))),
         };
         self.record(&deformed, None);
         let mut geometry = Geometry::default();
@@ -322,10 +322,10 @@ impl Climb<'_> {
     fn finish(
         self,
         mut levels: Vec<Level>,
-        errors: Table,
+        mut errors: Table,
         path: &Left,
         geometry: &Geometry,
-        end: LadderEnd,
+        mut end: LadderEnd,
     ) -> Result<Results, RunError> {
         let along = Along::of_division(&numbers(&levels), self.models.spaced());
         let along = along.and(&path.along).and(&geometry.along);
@@ -333,15 +333,24 @@ impl Climb<'_> {
             return run_with(self.scene, self.models.solver(), &mut |_| {});
         };
         let along = along.floored(&last.numbers);
-        let along = along.into_steps(&last.numbers.geometries);
+        let mut along = along.into_steps(&last.numbers.geometries);
         let unlimited = division::findings(&last.numbers, &errors);
+        if geometry.failed.is_some() {
+            end = LadderEnd::Unchecked;
+            along.clear();
+            for own in errors.iter_mut().flatten() {
+                *own = Errors::default();
+            }
+        }
         let worst = worst(&last.numbers, &errors, self.bounds());
         let missed = self.missed(worst.map(Worst::named), end);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         found.findings.retain(|finding| !finding.is_within_errors());
         found.findings.extend(unlimited);
         found.findings.extend(missed);
-        if last.model.request.failure.is_some() {
+        let unchecked = geometry.failed.clone();
+        (found.findings).extend(unchecked.map(|why| Finding::GeometryUnchecked { why }));
+        if last.model.request.failure.is_some() && geometry.failed.is_none() {
             let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));
             let before = failure::before(levels, self.models.solver());
             let is_whole = !last.model.half && obstacle_to_half(self.scene).is_none();

@@ -2,7 +2,9 @@
 
 use super::along::Along;
 use super::numbers::{Numbers, Table, difference, zipped};
+use stickslip_engine::model::ModelError;
 use stickslip_engine::results::{Results, Stated};
+use stickslip_engine::run::RunError;
 
 /// The difference on one model is off by this factor at most.
 const FACTOR: f64 = 1.5;
@@ -18,13 +20,20 @@ pub(super) struct Geometry {
     pub(super) reason: String,
     /// Whether the deformed one was chosen.
     pub(super) is_chosen_deformed: bool,
+    /// Why nothing is known of the deformed one, which has a model.
+    pub(super) failed: Option<String>,
 }
 
 impl Geometry {
     /// The undeformed geometry, because of `why` nothing is known of the deformed one.
-    pub(super) fn unknown(why: &str) -> Self {
+    pub(super) fn unknown(why: &RunError) -> Self {
+        let fails = matches!(
+            why,
+            RunError::Contact(_) | RunError::Model(ModelError::Generate { .. })
+        );
         Self {
             reason: format!("no error states what deformed gaps would change: {why}"),
+            failed: fails.then(|| why.to_string()),
             ..Self::default()
         }
     }

@@ -126,6 +126,11 @@ pub enum Finding {
         /// Why no finer model was tried.
         end: LadderEnd,
     },
+    /// What gaps on the deformed geometry would change is not known, and no errors are stated.
+    GeometryUnchecked {
+        /// Why the model on the deformed geometry gave no answer.
+        why: String,
+    },
     /// Contact parts and bears elsewhere within one increment.
     ContactParts {
         /// Load steps with such increments.

@@ -34,7 +34,7 @@ pub struct ProgressiveFailure {
     pub cells: usize,
     /// Whether half of a symmetric joint was followed.
     pub half: bool,
-    /// What the pin moves before it can bear there, which displacements leave out `[mm]`: it starts where it touches along the axis of the loads.
+    /// What the pin moves before it can bear there, which displacements leave out `[mm]`: it starts where it touches in the direction of the loads.
     pub free_travel: f64,
     /// Where the pin bears: the load is read along this direction, and angles are counted from it.
     pub frame: ContactFrame,

@@ -254,6 +254,8 @@ pub enum LadderEnd {
     Budget,
     /// The finest model that is tried.
     Finest,
+    /// No error is stated: what gaps on the deformed geometry would change was to be found and was not.
+    Unchecked,
 }
 
 impl LadderEnd {
@@ -264,6 +266,7 @@ impl LadderEnd {
             Self::Pinned => "pinned",
             Self::Budget => "budget",
             Self::Finest => "finest",
+            Self::Unchecked => "unchecked",
         }
     }
 }

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! c are the centres of the circles, each seen from that of its body. A body that no hole holds stands at its own position. One with clearance starts where it
-//! touches along the axis a in which the loads drive it (x, unless all or its own act otherwise), one with interference concentric with what holds it. All
-//! slices of a fastener start at the smallest c among them, so that they have one axis.
+//! touches in the direction a in which loads drive it, one with interference concentric with what holds it. All slices of a fastener start at the smallest c
+//! among them, so that they have one axis.
 
 mod axis;
 
@@ -43,12 +43,27 @@ pub fn offset(scene: &Scene, contact: &Contact) -> Point {
     let least = clearances
         .map(|[hole, inner]| hole - inner)
         .reduce(f64::min);
-    let inner = |body: &str| match fastener {
-        Some(fastener) => fastener.slices.iter().any(|slice| slice == body),
-        None => own == body,
-    };
     let away = least.unwrap_or_default().max(0.0);
-    axis::of(scene, contact, &inner).map(|part| away * part)
+    let along = match fastener {
+        // One axis for all slices, which plates push either way.
+        Some(fastener) => {
+            let slices = |body: &str| fastener.slices.iter().any(|slice| slice == body);
+            axis::ahead(axis::of(scene, &slices, &|_| false))
+        }
+        None => {
+            let inner = |body: &str| holders(scene, body).any(|holder| holder == own);
+            let outer = |body: &str| holders(scene, &contact.first.body).any(|own| own == body);
+            axis::of(scene, &inner, &outer)
+        }
+    };
+    along.map(|part| away * part)
+}
+
+/// `body`, the body whose hole holds it, and so on.
+fn holders<'a>(scene: &'a Scene, body: &'a str) -> impl Iterator<Item = &'a str> {
+    let next = |body: &&'a str| Some(holder(scene, body)?.first.body.as_str());
+    // A checked scene has no circular chain.
+    std::iter::successors(Some(body), next).take(scene.contacts.len() + 1)
 }
 
 /// Centre of `body` `[mm]`.

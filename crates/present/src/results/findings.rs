@@ -95,6 +95,9 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              lap. It is stated as tilting moment and resisted by nothing here, so pressure is even across each plate and no plate gives by bending.",
             quoted(fasteners)
         ),
+        Finding::GeometryUnchecked { why } => format!(
+            "What the displacements change in the gaps is not known: the model on the deformed geometry gave no answer ({why}). No errors are stated;              the loads may be too large for small displacements."
+        ),
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, *end),
         Finding::ContactParts { steps } => format!(
             "In an increment of load step {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
@@ -131,7 +134,7 @@ fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
         LadderEnd::Pinned => {
             "the scene pins its model: leave out its mesh or contact_nodes, or divide it more finely"
         }
-        LadderEnd::Reached | LadderEnd::Finest => {
+        LadderEnd::Reached | LadderEnd::Finest | LadderEnd::Unchecked => {
             "no finer model is tried: ask for less, or for the numbers that matter (analysis.accuracy = { peak_pressure = … })"
         }
     };

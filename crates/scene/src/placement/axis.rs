@@ -1,34 +1,49 @@
-//! The axis along which loads drive what a hole holds.
+//! The direction in which loads drive what a hole holds.
 
 use crate::Scene;
-use crate::schema::{Contact, LoadKind, Support};
+use crate::schema::{LoadKind, Support};
 
 /// Sine of the angle to an axis of the plane below which a direction lies along it.
 const ALONG: f64 = 1e-12;
 
-/// The unit vector, with x > 0 or along +y, of the axis along which the second body of a round contact moves in its hole, so that it starts
-/// where it touches: that of the forces on the bodies `inner`, otherwise on the hole's, otherwise on all, in the first step in which they do not
-/// cancel out; the same of displacements where no force has a direction; otherwise x.
-pub(super) fn of(scene: &Scene, contact: &Contact, inner: &dyn Fn(&str) -> bool) -> [f64; 2] {
-    let hole = contact.first.body.as_str();
-    let groups: [&dyn Fn(&str) -> bool; 3] = [inner, &|body| body == hole, &|_| true];
-    let forces = |on: &&dyn Fn(&str) -> bool| force(scene, *on);
-    let motions = |on: &&dyn Fn(&str) -> bool| motion(&scene.supports, *on);
-    let found = groups.iter().find_map(forces);
-    let [x, y] = found
-        .or_else(|| groups.iter().find_map(motions))
+/// Bodies, by name.
+type Bodies<'a> = &'a dyn Fn(&str) -> bool;
+
+/// The unit vector along which the bodies `inner` move in a hole of the bodies `outer`, so that they start where they touch: that of the forces on `inner`,
+/// otherwise against those on `outer`, in the first step in which they do not cancel out; the same of displacements where no force has a
+/// direction. Where only other bodies are loaded it is the axis of all forces, with x > 0 or along +y, and x without any.
+pub(super) fn of(scene: &Scene, inner: Bodies<'_>, outer: Bodies<'_>) -> [f64; 2] {
+    let forces = |on: Bodies<'_>| force(scene, on);
+    let motions = |on: Bodies<'_>| motion(&scene.supports, on);
+    let driven = |of: &dyn Fn(Bodies<'_>) -> Option<[f64; 2]>| {
+        let against = || of(outer).map(|push| push.map(|part| -part));
+        of(inner)
+            .or_else(against)
+            .or_else(|| of(&|_| true).map(ahead))
+    };
+    let [x, y] = driven(&forces)
+        .or_else(|| driven(&motions))
         .unwrap_or([1.0, 0.0]);
     if y.abs() < ALONG {
-        [1.0, 0.0]
+        [x.signum(), 0.0]
     } else if x.abs() < ALONG {
-        [0.0, 1.0]
+        [0.0, y.signum()]
+    } else {
+        [x, y]
+    }
+}
+
+/// The direction along the same axis with x > 0, or along +y.
+pub(super) fn ahead([x, y]: [f64; 2]) -> [f64; 2] {
+    if x.abs() < ALONG {
+        [0.0, y.abs()]
     } else {
         [x.abs(), y * x.signum()]
     }
 }
 
 /// The direction of the sum of forces on the bodies `on` in the first step that has one.
-fn force(scene: &Scene, on: &dyn Fn(&str) -> bool) -> Option<[f64; 2]> {
+fn force(scene: &Scene, on: Bodies<'_>) -> Option<[f64; 2]> {
     let loads = scene.loads.iter().filter(|load| on(load.kind.body()));
     let directed = loads.filter_map(|load| match &load.kind {
         LoadKind::Force {
@@ -50,7 +65,7 @@ fn force(scene: &Scene, on: &dyn Fn(&str) -> bool) -> Option<[f64; 2]> {
 }
 
 /// The direction of the sum of displacements of supports of the bodies `on`.
-fn motion(supports: &[Support], on: &dyn Fn(&str) -> bool) -> Option<[f64; 2]> {
+fn motion(supports: &[Support], on: Bodies<'_>) -> Option<[f64; 2]> {
     let own = supports.iter().filter(|support| on(&support.on.body));
     resultant(own.flat_map(|support| {
         let directions = support.hold.directions().into_iter();

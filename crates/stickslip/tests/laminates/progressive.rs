@@ -340,7 +340,7 @@ fn what_a_drive_replaces_and_what_has_no_effect_is_said() {
     );
 }
 
-/// A pin that touches at θ = 0 and is driven along y travels round the hole before it bears, whatever the increments.
+/// A pin that touches at θ = 0, without loads, and is driven along y travels round the hole before it bears, whatever the increments.
 #[test]
 fn a_drive_passes_the_clearance_in_any_increments() {
     let load = |increments: usize| {
@@ -348,8 +348,7 @@ fn a_drive_passes_the_clearance_in_any_increments() {
             "mesh.spacing=\"15 deg\"".to_owned(),
             "bodies.plate.shape.plate_with_hole.outline.strip={half_width=\"9 mm\",left=\"9 mm\",right=\"9 mm\"}"
                 .to_owned(),
-            "loads.0.on=\"plate.top\"".to_owned(),
-            "loads.0.force={direction=[0,1],steps=[\"1500 N\"]}".to_owned(),
+            "loads=[]".to_owned(),
             format!(
                 "failure.progressive.control={{displacement={{on=\"plate.top\",axis=\"y\",end=\"0.06 mm\",increments={increments}}}}}"
             ),
@@ -444,14 +443,9 @@ fn a_joint_is_read_along_the_direction_in_which_its_pin_bears() {
         close(first, same, 2.1e-3);
         close(other.peak_load(), along.peak_load(), 0.02);
         let [moved, same] = [&other, &along].map(|joint| joint.curve[0].displacement);
-        // Gaps are those of a pin with the clearance c that touches at θ = 0, of a radius R: they turn with the load to c²/R.
-        let (clearance, radius): (f64, f64) = (0.05, 3.0);
-        assert!(
-            (moved - same).abs() < clearance.powi(2) / radius,
-            "{moved} and {same}"
-        );
-        let free = clearance * (1.0 - bearing.cos());
-        assert!((other.free_travel - free).abs() < 1e-9);
+        // The pin starts where it bears.
+        close(moved, same, 1e-6);
+        assert!(other.free_travel.abs() < 1e-12);
         let [mode, same] = [&other, &along].map(|joint| joint.mode.as_ref().unwrap().mode);
         assert_eq!(mode, same);
         let ends = |joint: &ProgressiveFailure| joint.departures(0.1).concat();

@@ -137,9 +137,8 @@ fn meshes_that_do_not_match_carry_uniform_pressure() {
 #[test]
 fn edges_that_overlap_or_look_away_are_refused() {
     let refused = |overrides: &[&str]| {
-        Model::build(&scene(PUNCH, overrides))
-            .unwrap_err()
-            .to_string()
+        let built = Model::build(&scene(PUNCH, overrides)).map(|_| ());
+        built.unwrap_err().to_string()
     };
     let lower = r#"bodies.block.shape.outline.edges.1.to=["41 mm", "0.1 mm"]"#;
     let raised: Vec<String> = (1..=4)
@@ -155,6 +154,15 @@ fn edges_that_overlap_or_look_away_are_refused() {
         message.contains("overlap by 0.1 mm") && message.contains("interference = true"),
         "{message}"
     );
+    let deep: Vec<String> = raised
+        .iter()
+        .map(|own| own.replace("0.1 mm", "5 mm"))
+        .collect();
+    let mut deep: Vec<&str> = deep.iter().map(String::as_str).collect();
+    deep.push("contacts.0.interference=true");
+    let message = refused(&deep);
+    assert!(message.contains("overlap by 5 mm"), "{message}");
+    assert!(message.contains("move one of the bodies"), "{message}");
     let message = refused(&[
         r#"contacts.0.second="block.bottom""#,
         "supports.0.on=block.left",

@@ -122,6 +122,9 @@ fn of_bodies() -> Vec<Finding> {
             error: 0.0662,
             end: LadderEnd::Finest,
         },
+        Finding::GeometryUnchecked {
+            why: "load step 1 was not solved".into(),
+        },
         Finding::ContactParts { steps },
         Finding::FreeBody(FreeBody {
             body: "pin".into(),

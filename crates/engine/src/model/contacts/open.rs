@@ -27,6 +27,8 @@ use crate::results::EdgeKind;
 const SAMPLES: usize = 8;
 /// Overlaps up to this part of the edge's length are rounding.
 const ROUNDING: f64 = 1e-9;
+/// Overlap up to which displacements are small beside an edge, as a part of its extent.
+const MOST_OVERLAP: f64 = 0.05;
 /// Cosine of the angle between two normals up to which edges do not face each other.
 const ASKEW: f64 = 1e-3;
 
@@ -249,6 +251,13 @@ impl OpenPair {
             let overlap = length.show(-least);
             return Err(refused(format!(
                 "{first} and {second} overlap by {overlap}; move one of the bodies, or say interference = true"
+            )));
+        }
+        if least < -MOST_OVERLAP * self.extent() {
+            let [overlap, most] =
+                [-least, MOST_OVERLAP * self.extent()].map(|own| length.show(own));
+            return Err(refused(format!(
+                "{first} and {second} overlap by {overlap}, and displacements are small beside an edge of this size up to {most}; move one of the bodies"
             )));
         }
         let mut upper = self.edge_nodes(&walked, kept);
