@@ -22,9 +22,9 @@ const FITTED: f64 = 3.5;
 const NODAL: f64 = 1.7;
 /// Where a support ends, a stress without a limit grows by more than this part of itself with a division twice as fine: at a corner of 90° by a sixth.
 const STEEP: f64 = 0.05;
-/// Part of the largest pressure, times the square of the spacing over the half extent of contact, by which it is off at least: so much it was along smooth
+/// Part of the largest pressure, times the square of the spacing over the half extent of contact, by which it is off at least: up to two thirds of that it was along smooth
 /// noses from 13 to 20 nodes.
-const UNRESOLVED: f64 = 0.4;
+const UNRESOLVED: f64 = 0.6;
 /// The expansion at an end is off by at least this part of what models estimate.
 const ENDS: f64 = 0.6;
 

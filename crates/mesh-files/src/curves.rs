@@ -9,6 +9,8 @@ use crate::recognise::{Recognised, recognise};
 
 /// Part of the radius by which a mid node is off the circle because of rounding only.
 const ROUNDING: f64 = 1e-14;
+/// Part of the radius by which a point that a file gives on a circle may miss it.
+const DIGITS: f64 = 1e-6;
 
 /// Finds the line or circle that edge set `set` of a mesh lies on, by [`recognise`].
 ///
@@ -114,7 +116,7 @@ pub fn snap(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
     Ok(moved)
 }
 
-/// Moves a point along its ray onto a circle.
+/// Moves a point along its ray onto a circle, and returns whether it was not there but for the digits of its file.
 fn project(point: &mut Point, centre: Point, radius: f64) -> bool {
     let ray = [point[0] - centre[0], point[1] - centre[1]];
     let distance = ray[0].hypot(ray[1]);
@@ -123,7 +125,7 @@ fn project(point: &mut Point, centre: Point, radius: f64) -> bool {
     }
     let factor = radius / distance;
     *point = [centre[0] + factor * ray[0], centre[1] + factor * ray[1]];
-    true
+    (distance - radius).abs() > DIGITS * radius
 }
 
 /// An edge and the nodes of its cell.

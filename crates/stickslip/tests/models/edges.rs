@@ -149,6 +149,16 @@ fn corners_of_two_supports_carry_what_is_beside_them() {
     }
 }
 
+/// Where every edge is held, a temperature loads held nodes alone, and balance is that of the reactions.
+#[test]
+fn a_body_held_all_around_balances() {
+    let held = CLAMPED.replace("fix = [\"x\"]", "fix = [\"x\", \"y\"]")
+        + "[[supports]]\non = \"block.top\"\nfix = [\"x\", \"y\"]\n";
+    let results = solved(&held, &[]);
+    assert_eq!(results.findings, []);
+    assert!(results.steps[0].balance_residual < 1e-12);
+}
+
 /// A wedge between a floor and a slope of 30°, on rollers that share a corner: the reactions are those of statics.
 #[test]
 fn supports_that_share_a_corner_balance_the_loads() {

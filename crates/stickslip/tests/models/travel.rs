@@ -90,7 +90,7 @@ fn a_pin_pulled_aside_slips_as_little() {
         &["analysis.model=whole"],
     );
     let aside = steps(&pull("top", "[0, 1]", "\"500 N\""), &[]);
-    alike(&near[0], &aside[0], 0.1);
+    alike(&near[0], &aside[0], 1e-7);
 }
 
 #[test]

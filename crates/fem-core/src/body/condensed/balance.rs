@@ -20,8 +20,8 @@ pub struct BodyBalance {
     pub reaction: [f64; 2],
     /// Their moment about the origin `[force·length]`.
     pub reaction_moment: f64,
-    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces, or to a
-    /// thousandth of the largest such sum in the history where that is more.
+    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces or of all reactions, or to a
+    /// thousandth of the largest such sum of applied forces in the history where that is more.
     pub force: f64,
     /// Unbalanced moment, relative to that sum times the body's size.
     pub moment: f64,
@@ -53,21 +53,24 @@ impl CondensedBody {
             .zip(states)
             .enumerate()
             .map(|(k, ((residual, u), state))| {
-                let [reaction, rest] = self.resultants(residual, u, state);
+                let reactions = self.reactions(residual, u, state);
+                let [reaction, rest] = self.resultants(&reactions, state);
+                // What a temperature does to a body that is held all around acts on held nodes alone.
+                let held = half_sum(&reactions);
+                let [applied, load] = [applied[k], load[k]].map(|scale| scale.max(held));
                 BodyBalance {
                     reaction: [reaction[0], reaction[1]],
                     reaction_moment: reaction[2],
-                    force: relative(rest[0].hypot(rest[1]), applied[k]),
-                    moment: relative(rest[2].abs(), applied[k] * size),
-                    nodal: relative(self.largest_free(residual), load[k]),
+                    force: relative(rest[0].hypot(rest[1]), applied),
+                    moment: relative(rest[2].abs(), applied * size),
+                    nodal: relative(self.largest_free(residual), load),
                 }
             })
             .collect()
     }
 
-    /// Resultants of the reactions, and of these with all that is applied.
-    fn resultants(&self, residual: &[f64], u: &[f64], state: &BodyLoad<'_>) -> [[f64; 3]; 2] {
-        let nodes = self.body.mesh.nodes();
+    /// The nodal forces of all that holds the body.
+    fn reactions(&self, residual: &[f64], u: &[f64], state: &BodyLoad<'_>) -> Vec<f64> {
         let mut reactions = vec![0.0; residual.len()];
         for (node, constraint) in self.structure.constraints.iter().enumerate() {
             let local = constraint.to_local([residual[2 * node], residual[2 * node + 1]]);
@@ -86,7 +89,13 @@ impl CondensedBody {
             let both = reactions.iter_mut().zip(&further);
             both.for_each(|(sum, force)| *sum += force);
         }
-        let reaction = resultant(nodes, &reactions);
+        reactions
+    }
+
+    /// Resultants of the reactions, and of these with all that is applied.
+    fn resultants(&self, reactions: &[f64], state: &BodyLoad<'_>) -> [[f64; 3]; 2] {
+        let nodes = self.body.mesh.nodes();
+        let reaction = resultant(nodes, reactions);
         let load = resultant(nodes, &self.applied_forces(state));
         [reaction, [0, 1, 2].map(|k| reaction[k] + load[k])]
     }
