@@ -179,6 +179,19 @@ impl Answer {
         self
     }
 
+    /// Turned by `angle` `[rad]` with the bodies.
+    pub(super) fn spun(mut self, angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        for (circle, step) in self.each_step() {
+            let [x, y] = step.resultant;
+            step.resultant = [cos * x - sin * y, sin * x + cos * y];
+            for row in step.rows.iter_mut().filter(|_| circle) {
+                row.place += angle;
+            }
+        }
+        self
+    }
+
     /// With lengths multiplied by `length` and stresses by `stress`.
     pub(super) fn scaled(mut self, length: f64, stress: f64) -> Self {
         let force = stress * length * length;

@@ -16,6 +16,9 @@ use super::transform;
 /// Rounding 1e-16 and solvers' residuals 1e-10, amplified by the condition of coarse bodies and of contact near its ends, about 1e3.
 const EXACT: f64 = 1e-7;
 
+/// By what scenes of outlines are turned `[deg]`.
+const SPIN: f64 = 37.0;
+
 /// The answer of `variant`, brought back by `back`, is that of `sample`.
 fn same(sample: &Sample, variant: &Value, back: impl Fn(Answer) -> Answer) -> Verdict {
     match solve(variant) {
@@ -71,8 +74,11 @@ pub(super) fn mirrored(sample: &Sample) -> Verdict {
 
 /// A scene of circles turned by a quarter has the turned answer: with quadrilaterals of equal spacing, and with contacts that know no
 /// direction: neat fits and interference with any friction; clearance without friction and with the linearised gap, where one body alone
-/// is held, because a pin starts where it touches at θ = 0.
+/// is held, because a pin starts where it touches at θ = 0. Outlines and the pins in them are turned by any angle.
 pub(super) fn turned(sample: &Sample) -> Verdict {
+    if let Some(spun) = transform::spun(&sample.value, SPIN).filter(|_| !sample.is_half()) {
+        return same(sample, &spun, |answer| answer.spun(-SPIN.to_radians()));
+    }
     if !sample.is_circular() || !turns(&sample.value) {
         return Verdict::Beside;
     }

@@ -1,10 +1,12 @@
 //! Scenes seen another way: mirrored, turned, larger, stiffer, listed otherwise, without friction.
 
 mod angles;
+mod spin;
 
 use serde_json::{Value, json};
 
 use angles::{materials, mirror_angles, negated_layup};
+pub(super) use spin::spun;
 
 use super::quantity::{change, deg, list_mut, split, text, with_histories};
 
