@@ -29,7 +29,7 @@ pub fn cylinder(radius: f64, x: f64) -> f64 {
     x * x / (radius + (radius * radius - x * x).sqrt())
 }
 
-/// The same gap to second order, x²/2R.
+/// The same gap to second order, x²/2R `[length]`.
 pub fn cylinder_linearised(radius: f64, x: f64) -> f64 {
     x * x / (2.0 * radius)
 }

@@ -23,7 +23,7 @@ pub struct Zone {
 }
 
 impl Zone {
-    /// Its length.
+    /// Its length, in the unit of the parameter.
     pub fn length(&self) -> f64 {
         self.end - self.start
     }

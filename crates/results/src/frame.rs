@@ -63,7 +63,7 @@ impl ContactFrame {
         }
     }
 
-    /// The same, counter-clockwise also where a half is read clockwise.
+    /// The same `[rad]`, counter-clockwise also where a half is read clockwise.
     pub fn turned(&self, theta: f64) -> f64 {
         wrapped(theta - self.bearing.unwrap_or(0.0))
     }

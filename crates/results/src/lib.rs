@@ -268,7 +268,7 @@ pub struct EdgeResults {
 }
 
 impl EdgeGeometry {
-    /// The length of `parameter` after which the edge closes on itself, if it does.
+    /// The length of `parameter` after which the edge closes on itself `[rad]`, if it does.
     pub fn closed(&self) -> Option<f64> {
         matches!(self.kind, EdgeKind::Circle { .. }).then_some(TAU)
     }

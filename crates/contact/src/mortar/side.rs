@@ -116,7 +116,7 @@ impl EdgeSide {
         &self.parameter
     }
 
-    /// Period of the parameter of a closed chain.
+    /// Period of the parameter of a closed chain, in its unit.
     pub fn period(&self) -> Option<f64> {
         self.period
     }
