@@ -9,10 +9,10 @@ use crate::axis::{Axis, Padding, Span};
 use crate::color::{Color, Colormap};
 use crate::error::FigureError;
 use crate::field::color_bar::{self, ColorBar};
-use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
+use crate::frame::{Frame, Heading, OUTER, TICK_SIZE, TITLE_SIZE};
 use crate::legend::{self, Category};
 use crate::markup::push_point;
-use crate::shape::{Area, Stroke};
+use crate::shape::{Anchor, Area, Stroke, TextStyle};
 use crate::svg::{Canvas, Svg};
 
 /// Room left of the plot for ticks and label, and right of it \[px\].
@@ -50,6 +50,29 @@ pub struct Marks {
     pub points: Vec<[f64; 2]>,
     /// Lines from place to place \[length\].
     pub paths: Vec<Vec<[f64; 2]>>,
+    /// Text about places \[length\].
+    pub texts: Vec<([f64; 2], String)>,
+    /// Width of lines \[px\].
+    pub width: f64,
+}
+
+impl Marks {
+    /// Nothing marked yet.
+    pub fn new(label: impl Into<String>, color: Color) -> Self {
+        Self {
+            label: label.into(),
+            color,
+            points: Vec::new(),
+            paths: Vec::new(),
+            texts: Vec::new(),
+            width: 1.6,
+        }
+    }
+
+    /// Whether nothing is marked.
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty() && self.paths.is_empty() && self.texts.is_empty()
+    }
 }
 
 /// Pixels, dots and marks over one plane.
@@ -282,7 +305,13 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &Marks) {
             push_point(&mut data, if k == 0 { 'M' } else { 'L' }, pixel);
         }
     }
-    canvas.stroked_path(&data, &Stroke::solid(marks.color, 1.6));
+    canvas.stroked_path(&data, &Stroke::solid(marks.color, marks.width));
+    let style = TextStyle::new(TICK_SIZE, marks.color, Anchor::Middle);
+    for (place, text) in &marks.texts {
+        if let Some([x, y]) = frame.pixel(*place) {
+            canvas.text([x, y + 0.35 * TICK_SIZE], text, &style);
+        }
+    }
 }
 
 #[cfg(test)]
@@ -304,10 +333,9 @@ mod tests {
             .colors(Colormap::Viridis, Some("N [fringes]".into()));
         plot.dots = &[([0.5, 0.5], 3.0), ([0.7, 0.5], f64::NAN)];
         plot.marks = vec![Marks {
-            label: "inconsistent".into(),
-            color: Color::category(1),
             points: vec![[1.0, 0.5]],
             paths: vec![vec![[0.1, 0.1], [0.2, 0.2]]],
+            ..Marks::new("inconsistent", Color::category(1))
         }];
         let svg = plot.render().unwrap();
         for part in ["<image", "N [fringes]", "inconsistent", "#e4e4e4", "x [mm]"] {

@@ -261,10 +261,8 @@ pub(super) fn edge_of_hole(experiment: &Experiment, angles: impl Iterator<Item =
         ]
     });
     Marks {
-        label: "edge of the hole".to_owned(),
-        color: Color::rgb(0x22, 0x22, 0x22),
-        points: Vec::new(),
         paths: vec![path.collect()],
+        ..Marks::new("edge of the hole", Color::rgb(0x22, 0x22, 0x22))
     }
 }
 

@@ -76,10 +76,8 @@ pub(super) fn phase(
         ] {
             if !places.is_empty() {
                 plot.marks.push(Marks {
-                    label: format!("{label}: {}", places.len()),
-                    color,
                     points: shown(places),
-                    paths: Vec::new(),
+                    ..Marks::new(format!("{label}: {}", places.len()), color)
                 });
             }
         }
@@ -146,11 +144,10 @@ fn scattered(
     plot.marks = vec![hole(experiment)];
     let bad = &measured.outliers;
     if !bad.is_empty() {
+        let label = format!("outliers, masked: {}", bad.len());
         plot.marks.push(Marks {
-            label: format!("outliers, masked: {}", bad.len()),
-            color: Color::rgb(0xd6, 0x27, 0x28),
             points: bad.iter().map(|&k| dots[k].0).collect(),
-            paths: Vec::new(),
+            ..Marks::new(label, Color::rgb(0xd6, 0x27, 0x28))
         });
     }
     plot.width = WIDTH;

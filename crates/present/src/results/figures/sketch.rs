@@ -1,14 +1,17 @@
 //! The scene as it is modelled: outlines of bodies, edges in contact, what is held and what is loaded.
 
+mod walk;
+
 use std::sync::Arc;
 
-use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::mesh::{ElementBlock, Mesh, Point};
 use stickslip_report::FigureError;
 use stickslip_report::color::Color;
 use stickslip_report::plane::{Marks, PlanePlot};
 use stickslip_report::svg::Svg;
 use toml::Value;
 
+use self::walk::{ahead, along, arrow, beside, inwards, vector};
 use super::{Group, Plan};
 use stickslip_engine::results::Results;
 use stickslip_scene::schema::DisplayUnits;
@@ -18,14 +21,28 @@ const MARGIN: f64 = 0.13;
 const ARROW: f64 = 0.1;
 /// Marks along an edge that is held.
 const HELD_MARKS: usize = 12;
-/// Colours of bodies, edges in contact, supports, loads, springs and platens.
-const COLORS: [Color; 6] = [
-    Color::rgb(0x6b, 0x73, 0x7c),
-    Color::rgb(0xd5, 0x5e, 0x00),
-    Color::rgb(0x00, 0x9e, 0x73),
-    Color::rgb(0x00, 0x72, 0xb2),
-    Color::rgb(0xcc, 0x79, 0xa7),
-    Color::rgb(0xb8, 0x86, 0x0b),
+/// Most cells that are drawn, and most names of sets.
+const MOST_CELLS: usize = 6000;
+const MOST_NAMES: usize = 40;
+/// Width of the picture `[px]`.
+const WIDTH: f64 = 720.0;
+const CELLS: Color = Color::rgb(0xd4, 0xd8, 0xdd);
+/// Colours of bodies; of more of them all have the first.
+const BODIES: [Color; 6] = [
+    Color::rgb(0x50, 0x58, 0x62),
+    Color::rgb(0x8c, 0x56, 0x4b),
+    Color::rgb(0x75, 0x5f, 0xb0),
+    Color::rgb(0x4d, 0x7c, 0x3a),
+    Color::rgb(0x1f, 0x6f, 0x78),
+    Color::rgb(0x9a, 0x6b, 0x1f),
+];
+/// What else is drawn.
+const KINDS: [(&str, Color); 5] = [
+    ("edges in contact", Color::rgb(0xd5, 0x5e, 0x00)),
+    ("held", Color::rgb(0x00, 0x9e, 0x73)),
+    ("loads", Color::rgb(0x00, 0x72, 0xb2)),
+    ("on springs", Color::rgb(0xcc, 0x79, 0xa7)),
+    ("platens", Color::rgb(0xb8, 0x86, 0x0b)),
 ];
 
 /// A body of a sketch: its name and its mesh; `None` for a rigid one.
@@ -49,7 +66,7 @@ pub(super) fn all(results: &Results) -> Vec<Plan<'_>> {
             ""
         };
         let text = format!(
-            "Bodies as they are modelled, edges in contact, supports (crosses) and loads (arrows).{part}"
+            "Bodies as they are modelled with their cells, names of sets, edges in contact, supports (crosses) and loads (arrows).{part}"
         );
         Ok(picture.map(|picture| (picture, text)))
     };
@@ -80,17 +97,9 @@ pub fn sketch(
         .and_then(Value::as_str)
         .unwrap_or("Scene");
     let mut plot = PlanePlot::new(title, units.length.name, window);
-    plot.width = 720.0;
-    let mut kinds = [
-        marks("bodies", COLORS[0]),
-        marks("edges in contact", COLORS[1]),
-        marks("held", COLORS[2]),
-        marks("loads", COLORS[3]),
-        marks("on springs", COLORS[4]),
-        marks("platens", COLORS[5]),
-    ];
-    let [bodies_drawn, contacts, held, loads, springs, platens] = &mut kinds;
-    bodies_drawn.paths = own.outlines();
+    plot.width = WIDTH;
+    let mut kinds = KINDS.map(|(label, color)| Marks::new(label, color));
+    let [contacts, held, loads, springs, platens] = &mut kinds;
     contacts.paths = own.contacts();
     let gives = |support: &Value| {
         ["stiffness", "bed"]
@@ -101,10 +110,15 @@ pub fn sketch(
     springs.points = own.held("supports", gives);
     platens.points = own.held("platens", |_| true);
     loads.paths = own.loads(ARROW * size);
-    let kinds = kinds.into_iter();
-    plot.marks = kinds
-        .filter(|own| !own.paths.is_empty() || !own.points.is_empty())
-        .collect();
+    let cells = Marks {
+        paths: own.cells(),
+        width: 0.6,
+        ..Marks::new("cells", CELLS)
+    };
+    let all = std::iter::once(cells)
+        .chain(own.outlines((window[1] - window[0]) / WIDTH))
+        .chain(kinds);
+    plot.marks = all.filter(|own| !own.is_empty()).collect();
     plot.render().map(Some)
 }
 
@@ -158,13 +172,65 @@ impl Sketch<'_> {
         }
     }
 
-    fn outlines(&self) -> Vec<Vec<Point>> {
-        let of_body = |(name, mesh): (&str, &Mesh)| {
-            let sets = mesh.edge_set_names();
-            let paths = sets.filter_map(|set| Some(self.places(&format!("{name}.{set}"))?.0));
-            paths.collect::<Vec<_>>()
+    /// The edges of each body, with their names beside them inside.
+    fn outlines(&self, per_pixel: f64) -> Vec<Marks> {
+        let count = self.meshes().count();
+        let sets = self.meshes().map(|(_, mesh)| mesh.edge_set_names().count());
+        let is_named = sets.sum::<usize>() <= MOST_NAMES;
+        let many = count > BODIES.len();
+        let of_body = |(k, (name, mesh)): (usize, (&str, &Mesh))| {
+            let label = if many { "bodies" } else { name };
+            let mut own = Marks::new(label, BODIES[if many { 0 } else { k }]);
+            for set in mesh.edge_set_names() {
+                let Some((places, _)) = self.places(&format!("{name}.{set}")) else {
+                    continue;
+                };
+                if is_named {
+                    own.texts.extend(beside(&places, set, per_pixel));
+                }
+                own.paths.push(places);
+            }
+            own
         };
-        self.meshes().flat_map(of_body).collect()
+        let mut all: Vec<Marks> = self.meshes().enumerate().map(of_body).collect();
+        if many {
+            let rest = all.split_off(1);
+            for own in rest {
+                all[0].paths.extend(own.paths);
+                all[0].texts.extend(own.texts);
+            }
+        }
+        all
+    }
+
+    /// The borders of all cells, where the scene gives a mesh and there are not too many.
+    fn cells(&self) -> Vec<Vec<Point>> {
+        let bodies = self.scene.get("bodies").and_then(Value::as_table);
+        let mut bodies = bodies.into_iter().flatten();
+        let is_given = self.scene.contains_key("mesh")
+            || bodies.any(|(_, body)| {
+                body.get("mesh").is_some()
+                    || body
+                        .get("shape")
+                        .is_some_and(|shape| shape.get("mesh").is_some())
+            });
+        let count: usize = self.meshes().map(|(_, mesh)| mesh.element_count()).sum();
+        if !is_given || count > MOST_CELLS {
+            return Vec::new();
+        }
+        let of_mesh = |(_, mesh): (&str, &Mesh)| {
+            let of_block = |block: &ElementBlock| {
+                let corners = block.kind.corners();
+                let cells = block.connectivity.chunks(block.kind.nodes());
+                let around = cells.map(|cell| {
+                    let nodes = (0..=corners).map(|k| cell[k % corners]);
+                    nodes.map(|node| self.shown(mesh.nodes()[node])).collect()
+                });
+                around.collect::<Vec<Vec<Point>>>()
+            };
+            mesh.blocks().iter().flat_map(of_block).collect::<Vec<_>>()
+        };
+        self.meshes().flat_map(of_mesh).collect()
     }
 
     fn list(&self, key: &str) -> impl Iterator<Item = &Value> {
@@ -229,79 +295,4 @@ impl Sketch<'_> {
         };
         self.list("loads").filter_map(of_load).flatten().collect()
     }
-}
-
-fn marks(label: &str, color: Color) -> Marks {
-    Marks {
-        label: label.to_owned(),
-        color,
-        points: Vec::new(),
-        paths: Vec::new(),
-    }
-}
-
-/// `count` places at equal distances along a walk, its ends included.
-fn along(walk: &[Point], count: usize) -> Vec<Point> {
-    let mut lengths = vec![0.0];
-    for pair in walk.windows(2) {
-        let step = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
-        lengths.push(lengths[lengths.len() - 1] + step);
-    }
-    let total = lengths[lengths.len() - 1];
-    let place = |k: usize| {
-        let wanted = total * k as f64 / (count - 1) as f64;
-        let to = lengths.partition_point(|length| *length < wanted).max(1);
-        let (from, to) = (to - 1, to.min(walk.len() - 1));
-        let width = lengths[to] - lengths[from];
-        let part = if width > 0.0 {
-            (wanted - lengths[from]) / width
-        } else {
-            0.0
-        };
-        [0, 1].map(|axis| (1.0 - part) * walk[from][axis] + part * walk[to][axis])
-    };
-    if walk.len() < 2 {
-        return walk.to_vec();
-    }
-    (0..count).map(place).collect()
-}
-
-/// The unit vector of two numbers.
-fn vector(given: &Value) -> Option<Point> {
-    let number = |value: &Value| {
-        value
-            .as_float()
-            .or(value.as_integer().map(|whole| whole as f64))
-    };
-    let [x, y] = given.as_array()?.as_slice() else {
-        return None;
-    };
-    unit([number(x)?, number(y)?])
-}
-
-fn unit([x, y]: Point) -> Option<Point> {
-    let size = x.hypot(y);
-    (size > 0.0).then(|| [x / size, y / size])
-}
-
-/// The unit normal into the body in the middle of a walk with the body on the left.
-fn inwards(places: &[Point]) -> Option<Point> {
-    let middle = places.len() / 2;
-    let (from, to) = (places.get(middle.checked_sub(1)?)?, places.get(middle)?);
-    unit([from[1] - to[1], to[0] - from[0]])
-}
-
-fn ahead(at: Point, [x, y]: Point, by: f64) -> Point {
-    [at[0] + by * x, at[1] + by * y]
-}
-
-/// A shaft of `length` from `start`, and two strokes of its head.
-fn arrow(start: Point, direction: Point, length: f64) -> Vec<Vec<Point>> {
-    let end = ahead(start, direction, length);
-    let [x, y] = direction;
-    let stroke = |side: f64| {
-        let back = ahead(end, direction, -0.3 * length);
-        vec![ahead(back, [-y * side, x * side], 0.15 * length), end]
-    };
-    vec![vec![start, end], stroke(1.0), stroke(-1.0)]
 }

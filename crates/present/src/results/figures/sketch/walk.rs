@@ -1,0 +1,110 @@
+//! Walks along edges: places on them, names beside them, and arrows.
+
+use stickslip_fem_core::mesh::Point;
+use toml::Value;
+
+/// Width of a letter, and distance of names from their edges `[px]`.
+const LETTER: f64 = 7.0;
+const AWAY: f64 = 11.0;
+
+/// The name of a set inside its body beside the middle of its edge, of a closed one beside its top; none where the edge is shorter than its name.
+pub(super) fn beside(places: &[Point], name: &str, per_pixel: f64) -> Option<(Point, String)> {
+    let width = LETTER * name.chars().count() as f64 * per_pixel;
+    let extent = |axis: usize| {
+        let values = || places.iter().map(|place| place[axis]);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    if extent(0).max(extent(1)) < width {
+        return None;
+    }
+    let closed = places.len() > 3 && places.first() == places.last();
+    let (at, [x, y]) = if closed {
+        let top = places
+            .iter()
+            .copied()
+            .max_by(|a, b| a[1].total_cmp(&b[1]))?;
+        let up = if turned(places) > 0.0 { -1.0 } else { 1.0 };
+        (top, [0.0, up])
+    } else {
+        (*along(places, 3).get(1)?, inwards(places)?)
+    };
+    let shift = [
+        x * (AWAY * per_pixel + 0.5 * width * x.abs()),
+        y * AWAY * per_pixel,
+    ];
+    Some(([at[0] + shift[0], at[1] + shift[1]], name.to_owned()))
+}
+
+/// Twice the area that a walk goes around, counter-clockwise positive.
+fn turned(walk: &[Point]) -> f64 {
+    let pairs = walk.windows(2);
+    pairs
+        .map(|pair| pair[0][0] * pair[1][1] - pair[0][1] * pair[1][0])
+        .sum()
+}
+
+/// `count` places at equal distances along a walk, its ends included.
+pub(super) fn along(walk: &[Point], count: usize) -> Vec<Point> {
+    let mut lengths = vec![0.0];
+    for pair in walk.windows(2) {
+        let step = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+        lengths.push(lengths[lengths.len() - 1] + step);
+    }
+    let total = lengths[lengths.len() - 1];
+    let place = |k: usize| {
+        let wanted = total * k as f64 / (count - 1) as f64;
+        let to = lengths.partition_point(|length| *length < wanted).max(1);
+        let (from, to) = (to - 1, to.min(walk.len() - 1));
+        let width = lengths[to] - lengths[from];
+        let part = if width > 0.0 {
+            (wanted - lengths[from]) / width
+        } else {
+            0.0
+        };
+        [0, 1].map(|axis| (1.0 - part) * walk[from][axis] + part * walk[to][axis])
+    };
+    if walk.len() < 2 {
+        return walk.to_vec();
+    }
+    (0..count).map(place).collect()
+}
+
+/// The unit vector of two numbers.
+pub(super) fn vector(given: &Value) -> Option<Point> {
+    let number = |value: &Value| {
+        value
+            .as_float()
+            .or(value.as_integer().map(|whole| whole as f64))
+    };
+    let [x, y] = given.as_array()?.as_slice() else {
+        return None;
+    };
+    unit([number(x)?, number(y)?])
+}
+
+fn unit([x, y]: Point) -> Option<Point> {
+    let size = x.hypot(y);
+    (size > 0.0).then(|| [x / size, y / size])
+}
+
+/// The unit normal into the body in the middle of a walk with the body on the left.
+pub(super) fn inwards(places: &[Point]) -> Option<Point> {
+    let middle = places.len() / 2;
+    let (from, to) = (places.get(middle.checked_sub(1)?)?, places.get(middle)?);
+    unit([from[1] - to[1], to[0] - from[0]])
+}
+
+pub(super) fn ahead(at: Point, [x, y]: Point, by: f64) -> Point {
+    [at[0] + by * x, at[1] + by * y]
+}
+
+/// A shaft of `length` from `start`, and two strokes of its head.
+pub(super) fn arrow(start: Point, direction: Point, length: f64) -> Vec<Vec<Point>> {
+    let end = ahead(start, direction, length);
+    let [x, y] = direction;
+    let stroke = |side: f64| {
+        let back = ahead(end, direction, -0.3 * length);
+        vec![ahead(back, [-y * side, x * side], 0.15 * length), end]
+    };
+    vec![vec![start, end], stroke(1.0), stroke(-1.0)]
+}
