@@ -268,10 +268,16 @@ fn add_stresses(
         .into_iter()
         .map(|[normal, shear]| (normal, shear))
         .unzip();
+    let nodes = body.mesh().nodes();
+    let places: Vec<[f64; 2]> = match edge.geometry.kind {
+        EdgeKind::Path => edge.nodes.iter().map(|&node| nodes[node]).collect(),
+        EdgeKind::Circle { .. } | EdgeKind::Line => edge.normals.clone(),
+    };
     let data = EdgeData {
         order: edge.order,
         ends: ends(&edge.geometry),
         parameter: &edge.along,
+        place: &places,
         displacement,
         normal: &edge.normals,
         normal_stress: &normal_stress,

@@ -13,7 +13,7 @@
 //! order p > 2 it is that of the polynomial of degree p through the edge's own nodes, at a corner the mean of both edges.
 //!
 //! A rotation ω of the body has the derivative ω e_z × x′, with a part along t where x′ of the polynomial is not: between cells of
-//! unequal length. It is taken off, so that stresses do not depend on how far a free body has turned:
+//! unequal length, or of unlike curvature. It is taken off, so that stresses do not depend on how far a free body has turned:
 //!
 //! ```text
 //! ε_tt = t · u′ + (n · x′)/(t · x′) n · u′
@@ -65,6 +65,9 @@ pub struct EdgeData<'a> {
     /// Position along the exact curve, growing in the direction of t `[length]`. It may fall along the walk; on a circle
     /// with n = e_r it is R θ.
     pub parameter: &'a [f64],
+    /// Place of each node on the exact curve, from any point of the axis of a mirror and on any scale: those of a circle or of a straight line may be
+    /// its normals.
+    pub place: &'a [[f64; 2]],
     /// Displacement (u_x, u_y) `[length]`.
     pub displacement: &'a [[f64; 2]],
     /// Unit normal n of the exact curve, on either side; t is n turned by +90°.
@@ -100,14 +103,14 @@ pub fn edge_stresses(
 ) -> Result<Vec<EdgeStress>, StressError> {
     let turn = check(edge)?;
     let compliance = material.compliance();
-    let normals = EdgeData {
-        displacement: edge.normal,
+    let places = EdgeData {
+        displacement: edge.place,
         ..*edge
     };
     let stress = (0..edge.parameter.len()).map(|node| {
         let n = edge.normal[node];
         let slope = displacement_slope(edge, turn, node);
-        let strain = slope[1] * n[0] - slope[0] * n[1] + turned(&normals, turn, node, slope);
+        let strain = slope[1] * n[0] - slope[0] * n[1] + turned(&places, turn, node, slope);
         let [tn, tt, ts] = rotated_compliance(&compliance, n)[1];
         let initial = rotated_strain(initial_strain, n)[1];
         let (normal, shear) = (edge.normal_stress[node], edge.shear_stress[node]);
@@ -124,6 +127,7 @@ pub fn edge_stresses(
 /// Checks `edge`; returns the signed change of the parameter in one turn, 0 for an open path.
 fn check(edge: &EdgeData<'_>) -> Result<f64, StressError> {
     let nodes = edge.parameter.len();
+    length("place", nodes, edge.place.len())?;
     length("displacement", nodes, edge.displacement.len())?;
     length("normal", nodes, edge.normal.len())?;
     length("normal_stress", nodes, edge.normal_stress.len())?;
@@ -230,11 +234,10 @@ fn windows(edge: &EdgeData<'_>, node: usize) -> (isize, Vec<isize>) {
     (order, windows)
 }
 
-/// What the part along n of the displacement's `slope` at `node` adds to the strain along the edge. On a circle x′ is R n′, with n in
-/// the place of displacements; straight edges have n′ = 0, and x′ along t.
-fn turned(normals: &EdgeData<'_>, turn: f64, node: usize, slope: [f64; 2]) -> f64 {
-    let n = normals.normal[node];
-    let change = displacement_slope(normals, turn, node);
+/// What the part along n of the displacement's `slope` at `node` adds to the strain along the edge; `places` has places for displacements.
+fn turned(places: &EdgeData<'_>, turn: f64, node: usize, slope: [f64; 2]) -> f64 {
+    let n = places.normal[node];
+    let change = displacement_slope(places, turn, node);
     let (along_n, along_t) = (
         change[0] * n[0] + change[1] * n[1],
         change[1] * n[0] - change[0] * n[1],

@@ -176,15 +176,14 @@ fn hoop_error(mesh: &Mesh, u: &[f64], material: &dyn Material, exact: f64) -> f6
     let displacement: Vec<[f64; 2]> = (walk.nodes.iter())
         .map(|&node| [u[2 * node], u[2 * node + 1]])
         .collect();
+    let normals: Vec<[f64; 2]> = angles.iter().map(|a| [a.cos(), a.sin()]).collect();
     let edge = EdgeData {
         order: walk.order,
         ends: PathEnds::Open([PathEnd::Mirror { axis: [1.0, 0.0] }; 2]),
         parameter: &angles.iter().map(|angle| INNER * angle).collect::<Vec<_>>(),
+        place: &normals,
         displacement: &displacement,
-        normal: &angles
-            .iter()
-            .map(|a| [a.cos(), a.sin()])
-            .collect::<Vec<_>>(),
+        normal: &normals,
         normal_stress: &vec![-1.0; count],
         shear_stress: &vec![0.0; count],
     };

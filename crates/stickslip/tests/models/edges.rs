@@ -311,3 +311,36 @@ fn stresses_along_an_arc_are_those_of_the_body() {
     let apart = difference(field, traces);
     assert!(apart < 0.02, "{apart}");
 }
+
+/// The two flanks of a blade's root in a slot: each is the mirror image of the other, and where nothing touches the stress along it is that of the fields,
+/// also along the corners, which turn away from what they touch.
+#[test]
+fn stresses_along_a_flank_are_those_of_its_own_curve() {
+    let text = include_str!("../../../../scenes/dovetail.toml");
+    let changes = [
+        "mesh.spacing=4 mm",
+        "loads.0.force.steps=[\"100 N\"]",
+        "output.fields=\"last\"",
+    ];
+    let (loaded, results) = (model(text, &changes), solved(text, &changes));
+    let [right, left] = [0, 1].map(|edge| &results.steps[0].edges[edge].rows);
+    let most = right.iter().map(|row| row.pressure).fold(0.0, f64::max);
+    assert_eq!(right.len(), left.len());
+    for (one, other) in right.iter().zip(left.iter().rev()) {
+        let apart = (one.sigma_tangential - other.sigma_tangential).abs();
+        assert!(apart < 1e-6 * most, "{one:?} {other:?}");
+    }
+    let edge = &loaded.edges[0];
+    let field = trace_of_field(&results, 0, edge.geometry.body, &edge.nodes);
+    let largest = right
+        .iter()
+        .filter(|row| row.pressure == 0.0)
+        .map(|row| row.sigma_tangential.abs())
+        .fold(0.0, f64::max);
+    // Beside the end of contact fields are smooth where stresses are not.
+    let last = right.iter().rposition(|row| row.pressure > 0.0).unwrap();
+    for (row, field) in right.iter().zip(field).skip(last + 12) {
+        let apart = (row.sigma_tangential - field).abs();
+        assert!(apart < 0.05 * largest, "{row:?}: {field}");
+    }
+}

@@ -60,7 +60,7 @@ impl OpenPair {
         let [first, second] = [path(first)?, path(second)?];
         let mut pair = Self {
             travel: [0.0; 2],
-            by_second: second.turn() < first.turn(),
+            by_second: second.turn() < first.turn() - ROUNDING,
             first,
             second,
         };
@@ -232,7 +232,9 @@ impl OpenPair {
         } else {
             let walked = walk(&sides[1], meshes, |at| self.facing(at))?.reversed();
             let kept = self.facing_cells(&walked).ok_or_else(facing_nothing)?;
-            Some(self.edge_nodes(&walked, kept))
+            let into_first =
+                |point: Point| left_on(&self.second, self.second.nearest(point)).map(|part| -part);
+            Some(self.edge_nodes(&walked, kept, &into_first))
         };
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
         let reach = lower.as_ref().map_or(everywhere, |lower| {
@@ -260,7 +262,8 @@ impl OpenPair {
                 "{first} and {second} overlap by {overlap}, and displacements are small beside an edge of this size up to {most}; move one of the bodies"
             )));
         }
-        let mut upper = self.edge_nodes(&walked, kept);
+        let own = |point: Point| left_on(&self.first, self.along(self.place(point)));
+        let mut upper = self.edge_nodes(&walked, kept, &own);
         let half = 0.5 * self.extent();
         let faced = [0.0, self.second.length()].map(|s| self.facing(self.second.at(s)));
         let ends = [
@@ -319,7 +322,14 @@ impl OpenPair {
     }
 
     /// The part of an edge with the cells `kept`.
-    fn edge_nodes(&self, walked: &Walked<'_>, kept: Range<usize>) -> EdgeNodes {
+    /// The cells `kept` of an edge, with the normal into the first body that `normal` gives at a node: that of the edge itself, beside which
+    /// those of contact are those of the flatter edge.
+    fn edge_nodes(
+        &self,
+        walked: &Walked<'_>,
+        kept: Range<usize>,
+        normal: &dyn Fn(Point) -> Point,
+    ) -> EdgeNodes {
         let order = walked.path.order;
         let nodes = kept.start * order..=kept.end * order;
         let path = EdgePath {
@@ -329,7 +339,9 @@ impl OpenPair {
             order,
         };
         let parameter = walked.places[nodes].to_vec();
-        let along = parameter.iter().map(|&at| (-at, self.normal(at)));
+        let places = path.nodes.iter().map(|&node| walked.mesh.nodes()[node]);
+        let along = parameter.iter().zip(places);
+        let along = along.map(|(&at, place)| (-at, normal(place)));
         EdgeNodes {
             kind: EdgeKind::Path,
             path: along.collect(),
@@ -341,6 +353,19 @@ impl OpenPair {
             order,
             parameter,
         }
+    }
+}
+
+/// The unit normal on the left of a path, where two of its pieces meet the mean of both.
+fn left_on(path: &Path, at: f64) -> Point {
+    let near = ROUNDING * path.length();
+    let [before, after] = [at - near, at + near].map(|s| path.left(s.clamp(0.0, path.length())));
+    let sum = [before[0] + after[0], before[1] + after[1]];
+    let size = sum[0].hypot(sum[1]);
+    if size > ASKEW {
+        sum.map(|part| part / size)
+    } else {
+        before
     }
 }
 
