@@ -11,7 +11,9 @@ use std::collections::BTreeMap;
 use stickslip_fem_core::mesh::{Mesh, MeshError, MeshParts};
 
 use crate::error::ReadError;
+use crate::note::Note;
 use crate::place::Spot;
+use crate::quality;
 use crate::raw::Numbered;
 use crate::{Coincident, Imported};
 use cells::Cells;
@@ -78,6 +80,7 @@ pub(crate) fn assemble(
     if rules.coincident == Coincident::Refuse {
         coincident::check(&mesh, &edges, &file, &cells)?;
     }
+    check_shapes(&mesh, &file, &cells)?;
     let mut resolver = sets::Resolver {
         file: &file,
         cells: &cells,
@@ -92,6 +95,8 @@ pub(crate) fn assemble(
     }
     let sets_notes = resolver.notes;
     file.notes.extend(sets_notes);
+    let shapes = Note::on_shapes(mesh.nodes(), mesh.blocks(), &numbers.1);
+    file.notes.extend(shapes);
     Ok(Imported {
         parts: MeshParts {
             node_sets: named.node_sets,
@@ -103,6 +108,21 @@ pub(crate) fn assemble(
         cell_numbers: numbers.1,
         notes: file.notes,
     })
+}
+
+/// Refuses cells of a shape that no solution bears.
+fn check_shapes(mesh: &Mesh, file: &Numbered, cells: &Cells) -> Result<(), ReadError> {
+    let flaws = quality::of_cells(mesh.nodes(), mesh.blocks());
+    for (flaws, &element) in flaws.zip(&cells.order) {
+        if let Some(flaw) = flaws.into_iter().find(|flaw| flaw.is_refused()) {
+            return Err(ReadError::Flawed {
+                at: file.place(element),
+                element: file.elements[element].number,
+                flaw,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// A defect of the mesh in the numbers of the file.

@@ -6,6 +6,7 @@ use stickslip_fem_core::mesh::{ElementKind, MeshError};
 use thiserror::Error;
 
 use crate::place::Place;
+use crate::quality::Flaw;
 
 /// Why elements of a type are no cells of a plane mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -266,6 +267,16 @@ pub enum ReadError {
         determinant: f64,
         /// Reference point where it was found.
         reference: [f64; 2],
+    },
+    /// A cell with nearly closed or straight corners, or with sides of very different lengths.
+    #[error("{at}: element {element} {flaw}; move its nodes or mesh again with even cells")]
+    Flawed {
+        /// Where.
+        at: Place,
+        /// The element.
+        element: u64,
+        /// What is bad.
+        flaw: Flaw,
     },
     /// Two cells on one side of an edge.
     #[error("{at}: element {element} overlaps element {other} ({other_at}); remove one of them")]

@@ -41,6 +41,7 @@ mod note;
 mod numbers;
 mod pieces;
 mod place;
+mod quality;
 mod raw;
 mod recognise;
 mod subset;
@@ -56,6 +57,7 @@ pub use error::{CurveError, ReadError, Unsupported, WriteError};
 pub use note::Note;
 pub use pieces::{Piece, recognise_pieces};
 pub use place::Place;
+pub use quality::Flaw;
 pub use recognise::{Recognised, best_circle, recognise};
 pub use write::{write_inp, write_msh};
 

@@ -2,10 +2,13 @@
 
 use std::fmt;
 
+use stickslip_fem_core::mesh::{ElementBlock, Point};
+
 use crate::place::Place;
+use crate::quality::{self, Flaw};
 
 /// Something that was passed over or changed on the way from the file to the mesh.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Note {
     /// A keyword of Abaqus or a section of Gmsh that says nothing about the mesh.
@@ -91,6 +94,27 @@ pub enum Note {
         /// Its name here.
         to: String,
     },
+    /// Cells of a bad shape.
+    Flawed {
+        /// How many with a flaw of this kind.
+        count: usize,
+        /// The file's number of the worst.
+        worst: u64,
+        /// What is bad with that one.
+        flaw: Flaw,
+    },
+}
+
+impl Note {
+    /// On the cells of `blocks` of a bad shape; `numbers` are the file's of its cells.
+    pub(crate) fn on_shapes(
+        nodes: &[Point],
+        blocks: &[ElementBlock],
+        numbers: &[u64],
+    ) -> impl Iterator<Item = Self> {
+        let found = quality::worst(nodes, blocks, numbers);
+        found.map(|(count, worst, flaw)| Self::Flawed { count, worst, flaw })
+    }
 }
 
 impl fmt::Display for Note {
@@ -156,6 +180,7 @@ impl fmt::Display for Note {
                 )
             }
             Self::Renamed { name, to } => write!(out, "set '{name}' is called '{to}'"),
+            Self::Flawed { count, worst, flaw } => flaw.write_note(out, *count, *worst),
         }
     }
 }

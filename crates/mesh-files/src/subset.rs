@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use stickslip_fem_core::mesh::{EdgeRef, EdgeSet, ElementBlock, MeshParts};
 
 use crate::Imported;
+use crate::note::Note;
 
 /// An index that is not kept.
 const NONE: usize = usize::MAX;
@@ -19,7 +20,7 @@ impl Imported {
             parts: MeshParts::default(),
             node_numbers: Vec::new(),
             cell_numbers: Vec::new(),
-            notes: self.notes.clone(),
+            notes: Vec::new(),
         };
         let mut first = 0;
         for block in &self.parts.blocks {
@@ -47,6 +48,11 @@ impl Imported {
         own.parts.node_sets = kept_of(&self.parts.node_sets, &nodes);
         own.parts.element_sets = kept_of(&self.parts.element_sets, &cells);
         own.parts.edge_sets = edges_of(&self.parts.edge_sets, &cells);
+        let of_file = |note: &&Note| !matches!(note, Note::Flawed { .. });
+        own.notes = self.notes.iter().filter(of_file).cloned().collect();
+        let parts = &own.parts;
+        let shapes = Note::on_shapes(&parts.nodes, &parts.blocks, &own.cell_numbers);
+        own.notes.extend(shapes);
         Some(own)
     }
 

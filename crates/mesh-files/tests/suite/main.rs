@@ -6,6 +6,7 @@ mod curves;
 mod errors;
 mod fuzz;
 mod gmsh;
+mod quality;
 mod round_trip;
 
 use stickslip_fem_core::mesh::Mesh;
