@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 use std::io::{self, ErrorKind};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use crate::limits::{Content, Limits, amount};
 
@@ -23,6 +23,14 @@ pub trait System: fmt::Debug + Send + Sync {
     /// # Errors
     /// As [`read`](Self::read).
     fn length(&self, path: &Path) -> io::Result<u64>;
+
+    /// Where the file at `path` stands once links are followed; a system without links has it at `path`.
+    ///
+    /// # Errors
+    /// Those of the system.
+    fn real_path(&self, path: &Path) -> io::Result<PathBuf> {
+        Ok(path.to_owned())
+    }
 
     /// Time since any moment that stays `[s]`.
     fn seconds(&self) -> f64;
@@ -146,6 +154,27 @@ impl Host {
         let bytes = self.system.read(path, most.saturating_add(1))?;
         refused(bytes.len() as u64)?;
         Ok(bytes)
+    }
+
+    /// The text of the file that the one at `path` includes as `name`, which leaves the folder of `path` neither by its name nor by a link.
+    ///
+    /// # Errors
+    /// As [`read_text`](Self::read_text); a name that leaves the folder, and a link, with the place that it leads to.
+    pub fn read_included(self, path: &Path, name: &str, content: Content) -> io::Result<String> {
+        let leaves = |cause: String| io::Error::new(ErrorKind::PermissionDenied, cause);
+        let mut parts = Path::new(name).components();
+        if !parts.all(|part| matches!(part, Component::Normal(_))) {
+            return Err(leaves("it leaves the folder of the mesh".to_owned()));
+        }
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let real = self.system.real_path(&folder.join(name))?;
+        if !real.starts_with(self.system.real_path(folder)?) {
+            let place = real.display();
+            return Err(leaves(format!(
+                "a link leads to '{place}', outside of the folder of the mesh"
+            )));
+        }
+        self.read_text(&real, content)
     }
 
     /// The text of a regular file.

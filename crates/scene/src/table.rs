@@ -2,6 +2,7 @@
 //!
 //! The first line that is not a comment (`#`) or empty names the columns; other columns are skipped.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use crate::host::Host;
@@ -30,10 +31,14 @@ pub(super) fn read<const N: usize>(
     host: Host,
 ) -> Result<[Vec<f64>; N], TableError> {
     let text = host.read_text(path, Content::Table).map_err(|error| {
-        TableError::new(
-            format!("cannot be read: {error}"),
-            "paths of data files are relative to the folder of the scene file",
-        )
+        let remedy = match error.kind() {
+            ErrorKind::NotFound => {
+                "paths of data files are relative to the folder of the scene file"
+            }
+            ErrorKind::FileTooLarge => "give fewer rows and no other columns, or free memory",
+            _ => "give a text file with a line for each angle, which can be read",
+        };
+        TableError::new(format!("cannot be read: {error}"), remedy)
     })?;
     parse(&text, columns)
 }

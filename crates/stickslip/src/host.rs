@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, ErrorKind, Read as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::time::Instant;
 
@@ -44,6 +44,11 @@ impl System for Machine {
             ));
         }
         Ok(found.len())
+    }
+
+    fn real_path(&self, path: &Path) -> io::Result<PathBuf> {
+        // A path without folder starts where the command does.
+        Path::new(".").join(path).canonicalize()
     }
 
     fn seconds(&self) -> f64 {

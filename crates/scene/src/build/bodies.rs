@@ -1,6 +1,7 @@
 //! Materials and bodies.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -277,10 +278,12 @@ impl Sizes for Builder<'_> {
         self.out_of_range(key, size.text(), allowed);
     }
 
-    fn file(&self, path: &Path) -> Result<String, String> {
-        let host = self.document.host;
-        let text = host.read_text(&self.base.join(path), Content::Table);
-        text.map_err(|cause| cause.to_string())
+    fn file(&self, path: &Path, included: Option<&str>) -> io::Result<String> {
+        let (host, path) = (self.document.host, self.base.join(path));
+        match included {
+            None => host.read_text(&path, Content::Table),
+            Some(name) => host.read_included(&path, name, Content::Table),
+        }
     }
 
     fn bad_file(&mut self, key: &str, path: &str, cause: String, remedy: String) {

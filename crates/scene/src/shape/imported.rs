@@ -9,7 +9,8 @@ mod splines;
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::fmt;
-use std::path::{Component, Path};
+use std::io::{self, ErrorKind};
+use std::path::Path;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -84,17 +85,15 @@ impl Keys {
                 "export the mesh from Gmsh as .msh (text) or from Abaqus or CalculiX as .inp";
             refused("file", cause, remedy)
         })?;
-        let content = sizes.file(Path::new(&self.file)).map_err(|cause| {
-            refused(
-                "file",
-                cause,
-                "the path is relative to the folder of the scene",
-            )
-        })?;
+        let path = Path::new(&self.file);
+        let content = sizes.file(path, None);
+        let content =
+            content.map_err(|cause| refused("file", cause.to_string(), readable(&cause)))?;
         // Files that it includes count in the checksum as well.
         let whole = RefCell::new(content.clone());
         let include = |name: &str| {
-            let text = self.included(name, sizes)?;
+            let text = sizes.file(path, Some(name));
+            let text = text.map_err(|cause| cause.to_string())?;
             whole.borrow_mut().push_str(&text);
             Ok(text)
         };
@@ -143,15 +142,19 @@ impl Keys {
         };
         given.with(plain).map_err(invalid)
     }
+}
 
-    /// The text of a file that the mesh includes, which must not leave its folder.
-    fn included(&self, name: &str, sizes: &dyn Sizes) -> Result<String, String> {
-        let mut parts = Path::new(name).components();
-        if !parts.all(|part| matches!(part, Component::Normal(_))) {
-            return Err("it leaves the folder of the mesh".to_owned());
+/// What makes a file readable that was not, by `cause`.
+fn readable(cause: &io::Error) -> &'static str {
+    match cause.kind() {
+        ErrorKind::NotFound => "check the name; the path is relative to the folder of the scene",
+        ErrorKind::FileTooLarge => {
+            "export the plane elements of this body and its sets only, mesh it with fewer elements, or free memory"
         }
-        let folder = Path::new(&self.file).parent();
-        sizes.file(&folder.unwrap_or(Path::new("")).join(name))
+        ErrorKind::InvalidData => "save the mesh as text (in Gmsh: Mesh.Binary = 0)",
+        ErrorKind::IsADirectory | ErrorKind::InvalidInput => "name the file that holds the mesh",
+        ErrorKind::PermissionDenied => "allow reading the file, or copy it",
+        _ => "check that the file can be read",
     }
 }
 

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::fmt;
+use std::io;
 use std::path::Path;
 
 use stickslip_fem_core::generate::{Extent, Generate, GenerateError};
@@ -411,8 +412,8 @@ pub(crate) trait Sizes {
     /// Reports the size at `key`, which is not what is `allowed`.
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str);
 
-    /// The text of a file whose path is relative to the folder of the scene; otherwise why there is none.
-    fn file(&self, path: &Path) -> Result<String, String>;
+    /// The text of a file whose path is relative to the folder of the scene, or of the one that it includes by the name `included`.
+    fn file(&self, path: &Path, included: Option<&str>) -> io::Result<String>;
 
     /// Reports that the file `path`, named at `key`, cannot be used.
     fn bad_file(&mut self, key: &str, path: &str, cause: String, remedy: String);

@@ -1,6 +1,7 @@
 //! The contract of a shape, for every shape of the list.
 
 use std::f64::consts::PI;
+use std::io;
 use std::path::Path;
 
 use stickslip_fem_core::generate::{self, Extent, Generate, Growth, PlateWithHole, uniform_angles};
@@ -29,8 +30,8 @@ impl Sizes for Right {
         panic!("{key} = {} is not {allowed}", size.text());
     }
 
-    fn file(&self, path: &Path) -> Result<String, String> {
-        assert_eq!(path, Path::new("ring.inp"));
+    fn file(&self, path: &Path, included: Option<&str>) -> io::Result<String> {
+        assert_eq!((path, included), (Path::new("ring.inp"), None));
         let ring = PlateWithHole {
             hole_radius: 5.0,
             outline: generate::Outline::Ring { outer_radius: 15.0 },
