@@ -240,8 +240,11 @@ impl Builder<'_> {
         fasteners: &[Fastener],
         held: &[&SetRef],
     ) {
+        // A fastener, contact or support that could not be read has been reported; what it holds is not known.
         let joined = self.document.get("fasteners").and_then(Value::as_object);
-        if joined.map_or(0, serde_json::Map::len) != fasteners.len() {
+        if joined.map_or(0, serde_json::Map::len) != fasteners.len()
+            || self.written("supports") + self.written("platens") != held.len()
+        {
             return;
         }
         let slices = fasteners
@@ -251,10 +254,7 @@ impl Builder<'_> {
         let Some(Some(pairs)) = self.document.get("contacts").map(|list| list.as_array()) else {
             return self.groups_are_held(slices, held);
         };
-        // A contact or support that could not be read has been reported; what it holds is not known.
-        let complete = pairs.len() == contacts.len()
-            && self.written("supports") + self.written("platens") == held.len();
-        if complete {
+        if pairs.len() == contacts.len() {
             let touching = contacts.iter();
             let touching = touching.map(|own| [own.first.body.as_str(), own.second.body.as_str()]);
             self.groups_are_held(touching.chain(slices), held);
