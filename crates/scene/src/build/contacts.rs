@@ -39,7 +39,10 @@ impl Builder<'_> {
                 self.conflict(&format!("{key}.name"), message, remedy);
             }
             if let Some(contact) = self.contact(&key, name, given, materials) {
-                self.edges_are_free(&key, &contacts, &contact);
+                // Edges that cannot touch need no second message.
+                if !self.is_refused_at(&key) {
+                    self.edges_are_free(&key, &contacts, &contact);
+                }
                 match closed_chain(&contacts, &contact) {
                     Some(chain) => self.circular(&key, &chain),
                     None => contacts.push(contact),
@@ -73,7 +76,8 @@ impl Builder<'_> {
             let mut others = others.iter().filter(|_| !is_open);
             if let Some(other) = others.find(|other| has(other, edge)) {
                 let message = format!("{edge} is in contact '{}' already", other.name);
-                let remedy = "a circle takes part in one contact; a bushing touches with its hole and its outer edge";
+                let remedy = "a circle takes part in one contact: a bushing touches with its hole and its outer edge, and a bolt through several plates has a \
+                              slice in the hole of each, joined by [fasteners.NAME] slices = […]";
                 self.conflict(&format!("{key}.{place}"), message, remedy);
             }
         }
@@ -235,6 +239,7 @@ impl Builder<'_> {
 
     fn no_pair(&mut self, key: &str, first: &SetRef, second: &SetRef) {
         let swapped = self.touch(second, first).is_some();
+        let is_hole = |on: &SetRef| self.edge_of(on).is_some_and(|own| own.role == Role::Hole);
         let uneven = [first, second].into_iter().find_map(|on| {
             let shape = &self.bodies.get(&on.body)?.shape;
             Some(format!(
@@ -244,6 +249,11 @@ impl Builder<'_> {
         });
         let remedy = if let Some(uneven) = uneven {
             uneven
+        } else if is_hole(first) && is_hole(second) {
+            format!(
+                "plates in different layers are joined by bolts, and friction between them is not modelled: put a disk into each of the two holes \
+                 (first = \"{first}\", second = \"bolt.rim\"), and join the disks by [fasteners.NAME] slices = […]"
+            )
         } else if swapped {
             format!("swap them: first = \"{second}\", second = \"{first}\"")
         } else {

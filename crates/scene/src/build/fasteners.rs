@@ -56,6 +56,7 @@ impl Builder<'_> {
             }
             let plates: Vec<String> = found.iter().map(|slice| slice.plate.to_owned()).collect();
             self.layers_agree(&table, name, &plates, &layers);
+            self.layers_do_not_touch(format, &plates, beside.contacts);
             layers.push((name.clone(), plates));
             fasteners.push(Fastener {
                 name: name.clone(),
@@ -175,7 +176,11 @@ impl Builder<'_> {
         hole: &'b SetRef,
         contacts: &[Contact],
     ) -> Option<Slice<'b>> {
-        if let Some(outer) = contacts.iter().find(|own| own.second.body == hole.body) {
+        let stands_in = |own: &&Contact| {
+            let outer = self.edge_of(&own.second);
+            own.second.body == hole.body && outer.is_some_and(|edge| edge.role == Role::Rim)
+        };
+        if let Some(outer) = contacts.iter().find(stands_in) {
             let message = format!(
                 "'{body}' stands in '{}', which stands in '{}': slices stand in plates",
                 hole.body, outer.first.body
@@ -308,6 +313,33 @@ impl Builder<'_> {
         };
         let remedy = "beams and formulas have one radius and one isotropic material: say springs.given or springs.rigid of others";
         self.conflict(key, message, remedy);
+    }
+
+    /// Refuses contacts between `plates` that lie above each other.
+    fn layers_do_not_touch(
+        &mut self,
+        format: &SceneFormat,
+        plates: &[String],
+        contacts: &[Contact],
+    ) {
+        let lies = |set: &SetRef| plates.contains(&set.body);
+        for contact in contacts {
+            let name = Some(&contact.name);
+            let own = format
+                .contacts
+                .iter()
+                .position(|own| own.name.as_ref() == name);
+            let key = child("contacts", own.unwrap_or_default());
+            if !(lies(&contact.first) && lies(&contact.second)) || self.is_refused_at(&key) {
+                continue;
+            }
+            let message = format!(
+                "contact '{}' is between '{}' and '{}', which lie in different layers",
+                contact.name, contact.first.body, contact.second.body
+            );
+            let remedy = "remove it: friction between plates that lie on each other is not modelled, and clamping neither; fasteners join them by their slices";
+            self.conflict(&key, message, remedy);
+        }
     }
 
     /// Plates lie above each other in the same order in all fasteners.

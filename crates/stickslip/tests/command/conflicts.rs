@@ -1,6 +1,7 @@
 //! Names and platens that are refused at check.
 
 use super::refusals::refused;
+use super::{fails, folder_with};
 
 #[test]
 fn names_that_make_no_file_names() {
@@ -30,6 +31,62 @@ fn a_second_platen_of_a_body() {
             "bad.toml:30:6",
             "'plate' has a platen on plate.left already",
             "hold plate.right by a support",
+        ],
+    );
+}
+
+const LAP: &str = include_str!("../../../../scenes/single-lap.toml");
+
+/// The only finding of the single lap with `tail`.
+#[track_caller]
+fn refused_lap(tail: &str, parts: &[&str]) {
+    let folder = folder_with("lap.toml", &format!("{LAP}{tail}"));
+    let message = fails(folder.path(), &["check", "lap.toml"]);
+    for part in parts {
+        assert!(message.contains(part), "'{part}' is missing in:\n{message}");
+    }
+    assert_eq!(message.matches("help:").count(), 1, "{message}");
+}
+
+#[test]
+fn plates_in_different_layers_do_not_touch() {
+    let pair = |first: &str, second: &str| {
+        format!(
+            "[[contacts]]\nname = \"plates\"\nfirst = \"{first}\"\nsecond = \"{second}\"\nfriction.coulomb = {{ mu = 0.1 }}\n"
+        )
+    };
+    for edges in [["lower.top", "upper.top"], ["upper.right", "lower.left"]] {
+        refused_lap(
+            &pair(edges[0], edges[1]),
+            &[
+                "lap.toml:106:1",
+                "contact 'plates' is between '",
+                "which lie in different layers",
+                "friction between plates that lie on each other is not modelled",
+            ],
+        );
+    }
+    refused_lap(
+        &pair("lower.a", "upper.a"),
+        &[
+            "'lower.a' and 'upper.a' cannot be in contact",
+            "friction between them is not modelled",
+            "[fasteners.NAME]",
+        ],
+    );
+}
+
+#[test]
+fn a_second_pin_in_a_hole() {
+    let second = "[bodies.other]\nmaterial = \"steel\"\nthickness = \"2 mm\"\nshape.disk.radius = \"4.9 mm\"\n\
+                  [[contacts]]\nfirst = \"plate.hole\"\nsecond = \"other.rim\"\nfriction.coulomb.mu = 0\n[[loads]]";
+    refused(
+        "[[loads]]",
+        second,
+        &[
+            "plate.hole is in contact 'pin' already",
+            "a bushing touches with its hole and its outer edge",
+            "a slice in the hole of each, joined by [fasteners.NAME]",
         ],
     );
 }
