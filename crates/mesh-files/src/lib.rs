@@ -35,6 +35,7 @@ mod assemble;
 mod chain;
 mod curves;
 mod error;
+mod foreign;
 mod gmsh;
 mod lines;
 mod note;
@@ -54,6 +55,7 @@ pub use stickslip_fem_core;
 
 pub use curves::{recognise_set, snap, snap_pieces};
 pub use error::{CurveError, ReadError, Unsupported, WriteError};
+pub use foreign::Foreign;
 pub use note::Note;
 pub use pieces::{Piece, recognise_pieces};
 pub use place::Place;
@@ -72,15 +74,18 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format of a file of this name, by its extension: `msh` or `inp`, in either case.
+    /// The format of a file of this name, by its [`extension`](Self::extension) in either case.
     pub fn of_name(name: &str) -> Option<Self> {
-        let (_, extension) = name.rsplit_once('.')?;
-        if extension.eq_ignore_ascii_case("msh") {
-            Some(Self::Gmsh)
-        } else if extension.eq_ignore_ascii_case("inp") {
-            Some(Self::Abaqus)
-        } else {
-            None
+        let (_, own) = name.rsplit_once('.')?;
+        let mut all = [Self::Gmsh, Self::Abaqus].into_iter();
+        all.find(|format| own.eq_ignore_ascii_case(format.extension()))
+    }
+
+    /// The extension of its files: `msh` or `inp`.
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Gmsh => "msh",
+            Self::Abaqus => "inp",
         }
     }
 }

@@ -38,6 +38,7 @@ pub mod digest;
 pub mod document;
 mod dotted;
 mod examples;
+mod foreign;
 mod format;
 mod friction;
 pub mod host;

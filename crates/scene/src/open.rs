@@ -9,9 +9,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
+use stickslip_mesh_files::Foreign;
 
 use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 use crate::document::{Document, Format, Part};
+use crate::foreign;
 use crate::host::Host;
 use crate::limits::Content;
 use crate::overrides;
@@ -24,18 +26,25 @@ pub use crate::friction::law;
 /// Reads the text of a file of `host`. What it says of one that cannot be read comes from `problem`, by its path.
 ///
 /// # Errors
-/// [`SceneError`]: no such file, one that is too large or not text.
+/// [`SceneError`]: no such file, one that is too large or not text, and a mesh or a geometry of another program.
 pub fn text_of(
     path: &Path,
     host: Host,
     problem: fn(String, &io::Error) -> SceneProblem,
 ) -> Result<SourceText, SceneError> {
     let name = path.display().to_string();
-    let (text, error) = match host.read_text(path, Content::Document) {
-        Ok(text) => return Ok(SourceText { name, text }),
-        Err(error) => (String::new(), error),
+    let by_name = Foreign::of_name(&name).filter(|_| host.system.length(path).is_ok());
+    let problem = match by_name {
+        Some(kind) => foreign::problem(path, kind, host),
+        None => match host.read_text(path, Content::Document) {
+            Ok(text) => match Foreign::of_text(&text) {
+                Some(kind) => foreign::problem(path, kind, host),
+                None => return Ok(SourceText { name, text }),
+            },
+            Err(error) => problem(name.clone(), &error),
+        },
     };
-    let problem = problem(name.clone(), &error);
+    let text = String::new();
     let source = Arc::new(SourceText { name, text });
     Err(SceneError::in_text(problem, &source, None))
 }

@@ -36,6 +36,17 @@ pub enum SceneProblem {
         /// What the system says.
         cause: String,
     },
+    /// A mesh or a geometry of another program.
+    #[error("'{path}' is {what}, not a scene")]
+    #[diagnostic(code(scene::foreign), help("{remedy}"))]
+    Foreign {
+        /// Path as given.
+        path: String,
+        /// What it is, with its article.
+        what: &'static str,
+        /// A scene that names it.
+        remedy: String,
+    },
     /// The text is not TOML or JSON.
     #[error("this is not valid {format}: {cause}")]
     #[diagnostic(

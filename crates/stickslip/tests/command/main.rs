@@ -6,6 +6,7 @@ mod files;
 mod folders;
 mod limits;
 mod lists;
+mod meshes;
 mod particular;
 mod refusals;
 mod texts;
