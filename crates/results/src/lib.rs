@@ -176,6 +176,8 @@ pub struct EdgeGeometry {
     pub corner: Vec<bool>,
     /// Whether only half of a symmetric edge is modelled (the other half is its mirror image).
     pub half: bool,
+    /// Radius of the hole less that of the circle in it `[mm]`, negative for an interference; `None` without two circles.
+    pub clearance: Option<f64>,
     /// D·t `[mm²]` of a hole, by which a force becomes a bearing stress; `None` for lines.
     pub bearing_area: Option<f64>,
     /// Name of the friction law; empty without contact.

@@ -158,6 +158,7 @@ mod tests {
             parameter: parameter.collect(),
             corner: vec![true; nodes],
             half,
+            clearance: None,
             bearing_area: None,
             law: String::new(),
             frame: ContactFrame::NONE,

@@ -72,6 +72,19 @@ pub(super) fn build(
     Ok(contacts)
 }
 
+/// Part of a radius below which a difference of radii is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Radius of the hole less that of the circle in it `[mm]`; zero where the difference is rounding.
+fn clearance([hole, inner]: [f64; 2]) -> f64 {
+    let own = hole - inner;
+    if own.abs() > ROUNDING * hole {
+        own
+    } else {
+        0.0
+    }
+}
+
 impl Contacts {
     /// Adds a contact, and says how its edges are tied and why.
     fn add(
@@ -127,6 +140,7 @@ impl Contacts {
         let local = above.local.clone();
         let edge = upper.into_model_edge(first, body, half, Some(self.pairs.len()));
         let mut edge = loaded(plan, first, edge, &meshes[&first.body]);
+        edge.geometry.clearance = planned.radii().map(clearance);
         edge.geometry.second = lower.map(|lower| SecondSide {
             body: second.body,
             normals: lower.path.iter().map(|(_, normal)| *normal).collect(),

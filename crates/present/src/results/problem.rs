@@ -9,10 +9,11 @@ use stickslip_engine::results::Results;
 
 /// The section of the page; `None` of results without a scene.
 pub(super) fn section(results: &Results, sketches: Vec<Drawing>) -> Option<Section> {
-    let scene: toml::Table = toml::from_str(&results.scene).ok()?;
+    let mut scene: toml::Table = toml::from_str(&results.scene).ok()?;
     if scene.is_empty() {
         return None;
     }
+    state_clearances(&mut scene, results);
     let tables = [
         named(&scene, "bodies", "Bodies", "body | keys"),
         named(&scene, "materials", "Materials", "material | keys"),
@@ -21,8 +22,8 @@ pub(super) fn section(results: &Results, sketches: Vec<Drawing>) -> Option<Secti
             &scene,
             "contacts",
             "Contacts",
-            "contact | first | second | friction",
-            &["name", "first", "second", "friction"],
+            "contact | first | second | radial clearance | friction",
+            &["name", "first", "second", CLEARANCE, "friction"],
         ),
         named(&scene, "fasteners", "Fasteners", "fastener | keys"),
         listed(&scene, "supports", "Supports", "on", &["on"]),
@@ -39,6 +40,29 @@ pub(super) fn section(results: &Results, sketches: Vec<Drawing>) -> Option<Secti
         text: results.scene.clone(),
     };
     Some(section.with(code))
+}
+
+/// What is beside the keys of a contact.
+const CLEARANCE: &str = "clearance";
+
+/// Puts the radial clearance of two circles beside the keys of their contact.
+fn state_clearances(scene: &mut toml::Table, results: &Results) {
+    let contacts = scene.get_mut("contacts").and_then(Value::as_array_mut);
+    for contact in contacts.into_iter().flatten() {
+        let Some(contact) = contact.as_table_mut() else {
+            continue;
+        };
+        let name = contact.get("name").and_then(Value::as_str);
+        let mut edges = results.edges.iter();
+        let edge = edges.find(|edge| edge.contact && Some(edge.name.as_str()) == name);
+        let show = |own: f64| results.units.length.show(own.abs());
+        let text = match edge.and_then(|edge| edge.clearance) {
+            None => "–".to_owned(),
+            Some(own) if own < 0.0 => format!("interference {}", show(own)),
+            Some(own) => show(own),
+        };
+        contact.insert(CLEARANCE.to_owned(), Value::String(text));
+    }
 }
 
 /// A table of the entries of the table `key`, by name.

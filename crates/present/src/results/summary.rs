@@ -161,6 +161,9 @@ fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
         law: geometry.contact.then_some(geometry.law.as_str()),
         load_name: view.load().name,
         radius,
+        clearance: geometry
+            .clearance
+            .map(|own| Quantity::of(view.units().length, own)),
         bearing_angle_deg: (geometry.frame.bearing.filter(|_| view.is_circle()))
             .and_then(|theta| tidy(theta.to_degrees())),
         bearing_found: match geometry.frame.found {

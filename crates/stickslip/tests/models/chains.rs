@@ -2,6 +2,7 @@
 
 use stickslip::model::{Model, ModelBodyKind};
 use stickslip::output::summary_json;
+use stickslip::results::Results;
 
 use super::{BUSHING, difference, model, results, scene, solved, tractions, upper};
 
@@ -235,4 +236,30 @@ fn the_summary_has_one_entry_for_each_contact() {
     // Contacts are named by their second bodies, and a note on one does not apply to the other.
     let angle = |name: &str| edges[name]["contact_half_angle_deg"].as_f64().unwrap();
     assert!(angle("bushing") > 10.0 && (angle("bushing") - angle("pin")).abs() > 0.1);
+}
+
+/// The clearance of each contact is that of the radii in the scene, negative for an interference; open edges have none.
+#[test]
+fn results_state_radial_clearances() {
+    let clearances = |results: &Results| -> Vec<Option<f64>> {
+        let edges = results.edges.iter();
+        edges.map(|edge| edge.clearance).collect()
+    };
+    let own = clearances(&solved(BUSHING, &[]));
+    let [Some(outer), Some(inner)] = own[..2] else {
+        panic!("{own:?}");
+    };
+    // Differences of numbers near 7 and 5.
+    assert!(
+        (outer - 0.01).abs() < 1e-14 && (inner - 0.02).abs() < 1e-14,
+        "{own:?}"
+    );
+    let tight = [
+        "bodies.pin.shape.disk.radius=5.001 mm",
+        "contacts.1.interference=true",
+    ];
+    let tight = clearances(&solved(BUSHING, &tight));
+    assert!((tight[1].unwrap() + 0.001).abs() < 1e-14, "{tight:?}");
+    let equal = clearances(&solved(BUSHING, &["bodies.pin.shape.disk.radius=5 mm"]));
+    assert_eq!(equal[1], Some(0.0));
 }

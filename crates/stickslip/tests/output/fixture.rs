@@ -137,6 +137,7 @@ fn circle() -> EdgeGeometry {
             .collect(),
         corner: (0..=36).map(|k| k % 2 == 0).collect(),
         half: true,
+        clearance: Some(0.01 * RADIUS),
         bearing_area: Some(2.0 * RADIUS * THICKNESS),
         law: "static_dynamic".into(),
         frame: bears_at_zero(),
@@ -153,6 +154,7 @@ fn line(name: &str, contact: bool) -> EdgeGeometry {
         parameter: (-20..=20).map(|k| f64::from(k) * 0.25).collect(),
         corner: vec![true; 41],
         half: false,
+        clearance: None,
         bearing_area: None,
         law: if contact {
             "coulomb".into()

@@ -35,6 +35,30 @@ fn the_page_holds_everything_and_escapes_it() {
     }
 }
 
+/// In display units, 25.4 µm are a thousandth of an inch.
+#[test]
+fn the_problem_states_the_clearance_of_each_contact() {
+    let mut results = results();
+    results.scene = r#"version = 1
+contacts = [{ name = "pin", first = "plate.hole", second = "pin.rim" }, { name = "roller", first = "a.b", second = "c.d" }]
+"#
+    .to_owned();
+    for (clearance, shown) in [
+        (Some(0.0254), "0.001 in"),
+        (Some(-0.0254), "interference 0.001 in"),
+        (Some(0.0), "0 in"),
+        (None, "–"),
+    ] {
+        results.edges[0].clearance = clearance;
+        let (_place, folder) = written(&results, false);
+        let page = fs::read_to_string(folder.join("report.html")).unwrap();
+        assert!(page.contains("radial clearance"), "{shown}");
+        let row = page.split("<td>pin.rim</td>").nth(1).unwrap();
+        let (cell, _) = row.split_once("</td>").unwrap();
+        assert!(cell.ends_with(&format!(">{shown}")), "{shown}: {cell}");
+    }
+}
+
 #[test]
 fn bodies_are_shown_whole_with_their_stresses_and_both_sides_of_a_contact() {
     let mut results = results();

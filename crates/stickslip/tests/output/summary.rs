@@ -66,6 +66,9 @@ fn the_first_contact_edge_stands_in_each_step() {
     }
     assert_eq!(step["bearing_angle_deg"], 0.0);
     assert_eq!(summary["edges"][0]["bearing_angle_deg"], 0.0);
+    let clearance = &summary["edges"][0]["clearance"];
+    assert!(close(&clearance["value"], 0.1 / 25.4) && clearance["unit"] == "in");
+    assert_eq!(summary["edges"][1]["clearance"], Value::Null);
     assert_eq!(
         summary["edges"][0]["bearing_found"],
         "contact force of step 3"

@@ -198,6 +198,7 @@ impl EdgeNodes {
                 parameter: self.parameter,
                 corner: self.corner,
                 half,
+                clearance: None,
                 bearing_area,
                 law: String::new(),
                 frame: ContactFrame::NONE,

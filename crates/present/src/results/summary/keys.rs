@@ -123,6 +123,8 @@ pub(super) struct Edge<'a> {
     /// Name of what its steps are counted by.
     pub(super) load_name: String,
     pub(super) radius: Option<Quantity>,
+    /// Radial clearance of two circles, negative for an interference.
+    pub(super) clearance: Option<Quantity>,
     /// θ_b of the bearing point from which angles are counted; null where they count from +x, and on a line.
     pub(super) bearing_angle_deg: Option<f64>,
     /// How the bearing point was found.
