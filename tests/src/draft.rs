@@ -5,7 +5,7 @@ use std::path::Path;
 
 use stickslip::host::HOST;
 use stickslip::results::Results;
-use stickslip::run::{self, RunError};
+use stickslip::run;
 use stickslip::scene::{Format, Scene};
 use stickslip_contact::ContactError;
 
@@ -196,8 +196,10 @@ impl Draft {
     pub fn run_if_solvable(&self) -> Option<Results> {
         match run::run(&self.scene(), &mut |_| {}) {
             Ok(results) => Some(results),
-            Err(RunError::Contact(ContactError::StepFailed { .. })) => None,
-            Err(error) => panic!("{error}:\n{self:?}"),
+            Err(error) => match error.contact() {
+                Some(ContactError::StepFailed { .. }) => None,
+                _ => panic!("{error}:\n{self:?}"),
+            },
         }
     }
 

@@ -33,10 +33,7 @@ pub struct FreeBody {
 
 /// The bodies that take part in motions without resistance.
 pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
-    if problem.modes().ncols() == 0 {
-        return Vec::new();
-    }
-    let motions = null_motions(problem);
+    let motions = unresisted_motions(problem);
     if motions.ncols() == 0 {
         return Vec::new();
     }
@@ -163,9 +160,12 @@ fn pressed(state: &ContactState) -> impl Fn(usize) -> bool + '_ {
     move |k| state.status[k].touches() && state.normal_force(k) > least
 }
 
-/// Columns α of length 1 that nothing resists, of a problem with rigid motions.
-fn null_motions(problem: &InterfaceProblem) -> DMatrix<f64> {
+/// Columns α of length 1 that nothing resists, m × f.
+pub fn unresisted_motions(problem: &InterfaceProblem) -> DMatrix<f64> {
     let modes = problem.modes();
+    if modes.ncols() == 0 {
+        return DMatrix::zeros(0, 0);
+    }
     let mut resisted = modes.clone();
     for (k, point) in problem.points().iter().enumerate() {
         let bound = problem

@@ -20,6 +20,7 @@ mod solved;
 mod stresses;
 mod summary;
 mod thinned;
+mod whole_motion;
 
 use stickslip_contact::history::Otherwise;
 use stickslip_contact::interface::Group;
@@ -31,6 +32,7 @@ pub use error::{ProgressiveRunError, RunError};
 pub use follow::{Progress, follow};
 pub use solved::{Operator, OwnNodes, Solved};
 pub use thinned::follow_thinned;
+pub use whole_motion::{MovingBody, WholeMotion};
 
 use crate::load_scale::LoadScale;
 use crate::model::{self, Model};
@@ -282,7 +284,7 @@ fn findings(
     findings.extend(remarks::of_steps(model, edges, steps));
     findings.extend(doubts::of_verification(&solved.records));
     findings.extend(doubts::of_steps(model, steps));
-    findings.extend(remarks::of_freedom(model, &solved.interface));
+    findings.extend(remarks::of_freedom(model, solved));
     findings.extend(remarks::of_reserve(model));
     findings.extend(fasteners::eccentric(model, steps));
     findings.extend(doubts::of_looseness(model, &solved.records));

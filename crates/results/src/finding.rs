@@ -142,6 +142,8 @@ pub enum Finding {
     FreeTogether {
         /// The bodies.
         bodies: Vec<String>,
+        /// How they can move: one or both.
+        motions: Vec<FreeMotion>,
     },
     /// Reserve factors multiply the interference of contacts.
     ReserveWithInterference {

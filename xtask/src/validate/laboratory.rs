@@ -29,10 +29,11 @@ struct Stopped {
 
 /// Whether a solver proved that nothing can balance the load.
 pub(crate) fn is_proved_impossible(error: &TaskError) -> bool {
-    let cause = error.downcast_ref().map(|Stopped { cause, .. }| cause);
+    let stopped: Option<&Stopped> = error.downcast_ref();
+    let cause = stopped.and_then(|stopped| stopped.cause.contact());
     matches!(
         cause,
-        Some(RunError::Contact(ContactError::StepFailed { cause, .. })) if cause.is_proved_impossible()
+        Some(ContactError::StepFailed { cause, .. }) if cause.is_proved_impossible()
     )
 }
 

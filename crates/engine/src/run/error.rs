@@ -8,6 +8,7 @@ use stickslip_laminate::FailureError;
 use stickslip_laminate::progressive::ProgressiveError;
 use thiserror::Error;
 
+use super::whole_motion::MovingBody;
 use crate::model::ModelError;
 
 /// Why a run stopped.
@@ -29,6 +30,15 @@ pub enum RunError {
     /// A load step was not solved.
     #[error(transparent)]
     Contact(#[from] ContactError),
+    /// A load step was not solved: its load moves bodies as a whole, and no contact force balances it, which is proved.
+    #[error("{cause}; {}", .moving.iter().map(MovingBody::describe).collect::<Vec<_>>().join(", "))]
+    Unbalanced {
+        /// Where the history ended.
+        #[source]
+        cause: ContactError,
+        /// What the load moves, and how.
+        moving: Vec<MovingBody>,
+    },
     /// Stresses could not be recovered.
     #[error("stresses: {0}")]
     Stress(#[from] StressError),
@@ -50,6 +60,16 @@ pub enum RunError {
         #[source]
         cause: Box<ProgressiveRunError>,
     },
+}
+
+impl RunError {
+    /// Where the history ended, if it did.
+    pub fn contact(&self) -> Option<&ContactError> {
+        match self {
+            Self::Contact(cause) | Self::Unbalanced { cause, .. } => Some(cause),
+            _ => None,
+        }
+    }
 }
 
 /// Why a joint could not be followed beyond the failure of its plies.

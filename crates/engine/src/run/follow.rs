@@ -1,10 +1,11 @@
 //! Follows load histories, and reports how far they are.
 
-use stickslip_contact::{Interface, InterfaceSolver};
+use stickslip_contact::{ContactError, Interface, InterfaceSolver};
 use stickslip_fem_core::InterfaceOperator;
 
 use super::error::RunError;
 use super::solved::{Operator, Solved};
+use super::whole_motion::moving;
 use crate::model::Model;
 
 /// What a run reports while it goes on.
@@ -24,7 +25,7 @@ pub enum Progress {
 /// Follows the history of `model` with `solver`, on the `interface` of its condensed bodies `operators`.
 ///
 /// # Errors
-/// [`RunError::Contact`].
+/// [`RunError::Contact`], [`RunError::Unbalanced`].
 pub fn follow(
     model: &Model,
     operators: Vec<Operator>,
@@ -36,7 +37,8 @@ pub fn follow(
         let faces: Vec<&dyn InterfaceOperator> =
             operators.iter().map(Operator::interface).collect();
         let kinematics = model.kinematics(&faces)?;
-        Ok((model.history).follow_parts(&interface, &kinematics, solver, observe)?)
+        let followed = (model.history).follow_parts(&interface, &kinematics, solver, observe);
+        followed.map_err(|cause| explained(model, &operators, &interface, cause))
     })?;
     Ok(Solved {
         operators,
@@ -46,6 +48,20 @@ pub fn follow(
         step_seconds,
         phases: vec![("contact", seconds)],
     })
+}
+
+/// The end `cause` of a history, with the bodies that the load moves where this is proved.
+pub(super) fn explained(
+    model: &Model,
+    operators: &[Operator],
+    interface: &Interface,
+    cause: ContactError,
+) -> RunError {
+    let moving = moving(model, operators, interface, &cause).unwrap_or_default();
+    if moving.is_empty() {
+        return cause.into();
+    }
+    RunError::Unbalanced { cause, moving }
 }
 
 /// What `walk` finds of the history of `model`, with the wall time of every load step and of all `[s]`; `walk` calls its argument when a step is done.

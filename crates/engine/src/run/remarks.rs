@@ -1,11 +1,12 @@
 //! What a reader must know of the solution: where an answer was not unique, where the history was cut back, where contact lies.
 
-use stickslip_contact::Interface;
 use stickslip_contact::freedom::{self, free_bodies};
 use stickslip_contact::interface::Part;
 use stickslip_contact::uniqueness::NEAR_BOUND;
 use stickslip_contact::zones::{Zone, ends_of_contact};
 
+use super::solved::Solved;
+use super::whole_motion::free_motions;
 use crate::model::{EdgeEnd, Model, ModelEdge};
 use crate::results::{
     BearingSource, ContactFinding, EdgeGeometry, EdgeKind, EdgeResults, FailedSolver, Finding,
@@ -217,7 +218,7 @@ pub(super) fn of_reserve(model: &Model) -> Option<Finding> {
 }
 
 /// Which bodies move as a whole without resistance, so that where they stand is not unique.
-pub(super) fn of_freedom(model: &Model, interface: &Interface) -> Vec<Finding> {
+pub(super) fn of_freedom(model: &Model, solved: &Solved) -> Vec<Finding> {
     let of_part = |part: &Part| {
         let (bodies, pairs) = (&part.group().bodies, &part.group().pairs);
         let body_name = |free: &freedom::FreeBody| model.bodies[bodies[free.body]].name.clone();
@@ -237,12 +238,18 @@ pub(super) fn of_freedom(model: &Model, interface: &Interface) -> Vec<Finding> {
                     .collect(),
             })
         };
-        let bodies: Vec<String> = together.iter().map(body_name).collect();
-        let together = (!bodies.is_empty()).then_some(Finding::FreeTogether { bodies });
+        let together = (!together.is_empty()).then(|| Finding::FreeTogether {
+            bodies: together.iter().map(body_name).collect(),
+            motions: {
+                let own: Vec<usize> = together.iter().map(|free| bodies[free.body]).collect();
+                free_motions(&solved.operators, part, &own)
+            },
+        });
         let findings: Vec<Finding> = slipping.iter().map(slips).chain(together).collect();
         findings
     };
-    interface.parts().iter().flat_map(of_part).collect()
+    let parts = solved.interface.parts().iter();
+    parts.flat_map(of_part).collect()
 }
 
 /// The numbers of the steps that are so, counted from 1; `None` if none is.

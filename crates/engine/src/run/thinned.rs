@@ -6,7 +6,7 @@ use stickslip_fem_core::{InterfaceOperator, parallel};
 
 use super::assembled::Assembled;
 use super::error::RunError;
-use super::follow::{Progress, follow, timed};
+use super::follow::{Progress, explained, follow, timed};
 use super::solved::{Operator, OwnNodes, Solved};
 use crate::model::Model;
 
@@ -14,7 +14,7 @@ use crate::model::Model;
 /// nodes.
 ///
 /// # Errors
-/// [`RunError::Contact`].
+/// [`RunError::Contact`], [`RunError::Unbalanced`].
 pub fn follow_thinned(
     model: &Model,
     assembled: Assembled,
@@ -38,7 +38,8 @@ pub fn follow_thinned(
         let of_step = |nodes: &Vec<usize>| Thinned::new(&whole, &vec![nodes.clone(); pairs]);
         let thinned = parallel::map(chosen, of_step);
         let thinned = thinned.into_iter().collect::<Result<Vec<Thinned>, _>>()?;
-        let thin = (model.history).follow_thinned(&whole, &thinned, solver, observe)?;
+        let thin = (model.history).follow_thinned(&whole, &thinned, solver, observe);
+        let thin = thin.map_err(|cause| explained(model, &operators, &interface, cause))?;
         Ok(Some((thinned, thin)))
     })?;
     let (Some((thinned, thin)), step_seconds, seconds) = found else {

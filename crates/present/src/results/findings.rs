@@ -1,13 +1,14 @@
 //! Findings as sentences for a reader, and as entries of `summary.json`.
 
 mod contact;
+mod free;
 mod joint;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use stickslip_engine::results::{
-    CoarseLoadPath, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
-    LadderEnd, Quantity, Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
+    CoarseLoadPath, CutBackEffect, FailedSolver, Finding, FurtherSolvers, LadderEnd, Quantity,
+    Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_text::{short, tidy};
@@ -105,11 +106,8 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              force counts.",
             numbers(steps)
         ),
-        Finding::FreeBody(free) => free_body(free),
-        Finding::FreeTogether { bodies } => format!(
-            "Nothing holds {} against turning or sliding together, as one rigid body: displacements hold up to that motion, which changes no stress and no slip.",
-            quoted(bodies)
-        ),
+        Finding::FreeBody(own) => free::body(own, &quoted(&own.contacts)),
+        Finding::FreeTogether { bodies, motions } => free::together(&quoted(bodies), motions),
         Finding::ReserveWithInterference { contacts } => format!(
             "Reserve factors multiply the interference of {} with the loads: a load of first failure beyond the last step is no prediction. \
              Raise the loads until a reserve factor falls to 1.",
@@ -290,18 +288,6 @@ fn no_other_solver(too_dear: &[usize], limit: f64, unsolved: &[usize]) -> String
     format!(
         "Whether another solver finds another answer is not known where friction, cut-back or loose contact allow one: {}.",
         reasons.join("; ")
-    )
-}
-
-fn free_body(free: &FreeBody) -> String {
-    let (verb, motion) = match free.motion {
-        FreeMotion::Rotation => ("turn", "rotation"),
-        FreeMotion::Translation => ("slide", "translation"),
-    };
-    format!(
-        "Body '{}' can {verb} freely: its {motion} and CSLIP1 on {} are not unique.",
-        free.body,
-        quoted(&free.contacts)
     )
 }
 

@@ -3,7 +3,7 @@
 use stickslip_contact::ContactError;
 use stickslip_engine::model::{LoadTable, ModelError};
 use stickslip_engine::results::LoadValue;
-use stickslip_engine::run::RunError;
+use stickslip_engine::run::{MovingBody, RunError, WholeMotion};
 use stickslip_present::results::quoted;
 use stickslip_scene::Scene;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
@@ -147,12 +147,12 @@ fn among(scene: &Scene, bodies: &[usize]) -> String {
 
 /// The error in words, with the load that a history reached.
 fn message(scene: &Scene, error: &RunError) -> String {
-    let RunError::Contact(ContactError::StepFailed {
+    let Some(ContactError::StepFailed {
         step,
         reached,
         bodies,
         cause,
-    }) = error
+    }) = error.contact()
     else {
         return error.to_string();
     };
@@ -168,8 +168,15 @@ fn message(scene: &Scene, error: &RunError) -> String {
         text.trim_end().to_owned()
     };
     let loads: Vec<String> = loads.iter().map(value).collect();
+    let why = match error {
+        RunError::Unbalanced { moving, .. } => format!(
+            "the load cannot be balanced: {} (proved)",
+            described(moving)
+        ),
+        _ => cause.to_string(),
+    };
     format!(
-        "load step {} was not solved beyond {}, {reached:.4} of its increment{}{}: {cause}",
+        "load step {} was not solved beyond {}, {reached:.4} of its increment{}{}: {why}",
         step + 1,
         loads.join(", "),
         among(scene, bodies),
@@ -181,6 +188,42 @@ fn message(scene: &Scene, error: &RunError) -> String {
     )
 }
 
+/// "'pin' slides along x and 'plate' turns clockwise".
+fn described(moving: &[MovingBody]) -> String {
+    let mut each: Vec<String> = moving.iter().map(MovingBody::describe).collect();
+    let last = each.pop().unwrap_or_default();
+    if each.is_empty() {
+        last
+    } else {
+        format!("{} and {last}", each.join(", "))
+    }
+}
+
+/// What stops the bodies that a load moves.
+fn against(scene: &Scene, moving: &[MovingBody]) -> String {
+    let moves = |body: &String| moving.iter().any(|own| own.body == *body);
+    let mut contacts = scene.contacts.iter();
+    if contacts.any(|own| moves(&own.first.body) || moves(&own.second.body)) {
+        return "let the load's line of action pass through the contact (beside it, it turns the body), add friction or a support against the \
+                motion, or turn the load"
+            .to_owned();
+    }
+    let Some(MovingBody { body, motion }) = moving.first() else {
+        return "add a support against the motion".to_owned();
+    };
+    let shape = scene.bodies.get(body).map(|body| &body.shape);
+    let set = shape.and_then(|shape| shape.edges().into_iter().next());
+    let set = set.map_or_else(|| "edge".into(), |edge| edge.name);
+    let fix = match motion {
+        WholeMotion::Slides([x, _]) if x.abs() < 1e-6 => "\"y\"",
+        WholeMotion::Slides([_, y]) if y.abs() < 1e-6 => "\"x\"",
+        _ => "\"x\", \"y\"",
+    };
+    format!(
+        "hold the body against this motion, for example [[supports]] on = \"{body}.{set}\", fix = [{fix}], or by springs, or turn the load"
+    )
+}
+
 /// The error at the key of the scene that it is about.
 pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
     let (key, remedy) = match error {
@@ -189,14 +232,18 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
             format!("bodies.{body}"),
             "check the body's supports: it must not be able to move as a whole without contact",
         ),
-        RunError::Contact(ContactError::StepFailed { cause, bodies, .. })
-            if cause.is_proved_impossible() =>
-        {
-            (
-                key_of_drive(scene, bodies),
-                "no contact force can balance this load: let its line of action pass through the contact (beside it, it turns the body), add \
-                 friction or a support against the motion, or turn the load",
-            )
+        RunError::Unbalanced { cause, moving } => {
+            let key = match cause {
+                ContactError::StepFailed { bodies, .. } => key_of_drive(scene, bodies),
+                _ => "loads".to_owned(),
+            };
+            return scene.error_at(
+                &key,
+                SceneProblem::Model {
+                    message: message(scene, error),
+                    remedy: against(scene, moving),
+                },
+            );
         }
         RunError::Contact(ContactError::StepFailed { bodies, .. }) => (
             key_of_drive(scene, bodies),

@@ -510,6 +510,8 @@ force = { direction = [-1, 1], steps = ["10 N", "20 N"] }
     for part in [
         "not solved beyond askew 0 N",
         "'bolt' and 'lug'",
+        "the load cannot be balanced: ",
+        "'lug' turns",
         "loads.1",
         "line of action",
         &format!("joints.toml:{line}:1"),
@@ -517,4 +519,34 @@ force = { direction = [-1, 1], steps = ["10 N", "20 N"] }
         assert!(message.contains(part), "'{part}' is missing in:\n{message}");
     }
     assert!(!message.contains("load1") && !message.contains("loads.0"));
+}
+
+/// Without contact the body, its motion and the support that is missing are named, and no contact force.
+#[test]
+fn a_load_along_a_motion_that_nothing_holds() {
+    let text = r#"version = 1
+materials.metal.isotropic = { young = "70 GPa", poisson = 0.33 }
+[bodies.plate]
+material = "metal"
+thickness = "2 mm"
+shape.rectangle = { width = "40 mm", height = "20 mm" }
+[mesh]
+spacing = "5 mm"
+[[supports]]
+on = "plate.left"
+fix = ["x"]
+[[loads]]
+on = "plate.right"
+force = { direction = [1, -1], steps = ["1 kN"] }
+"#;
+    let folder = folder_with("plate.toml", text);
+    let message = fails(folder.path(), &["run", "plate.toml"]);
+    for part in [
+        "the load cannot be balanced: 'plate' slides along −y (proved)",
+        "fix = [\"y\"]",
+        "loads.0",
+    ] {
+        assert!(message.contains(part), "'{part}' is missing in:\n{message}");
+    }
+    assert!(!message.contains("contact"), "{message}");
 }

@@ -182,6 +182,7 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
             },
             Finding::FreeTogether {
                 bodies: ["bushing", "pin", "plate"].map(String::from).into(),
+                motions: vec![FreeMotion::Rotation],
             },
         ]
     );

@@ -5,6 +5,7 @@ use std::fs;
 
 use stickslip::run::{RunError, run};
 use stickslip_contact::ContactError;
+use stickslip_engine::run::{MovingBody, WholeMotion};
 use tempfile::TempDir;
 
 use super::{BUSHING, difference, results, scene, scene_in, solved, upper};
@@ -182,8 +183,13 @@ fn every_solver_refuses_a_load_without_balance_before_it_searches() {
         let solver = format!("analysis.solver={solver}");
         let across = "loads.0.force.direction=[0, 1]";
         let error = run(&scene(BUSHING, &[across, &solver]), &mut |_| {}).unwrap_err();
-        let RunError::Contact(ContactError::StepFailed { cause, .. }) = error else {
+        let RunError::Unbalanced { cause, moving } = error else {
             panic!("{solver}: {error}");
+        };
+        let turns = |own: &MovingBody| matches!(own.motion, WholeMotion::Turns { .. });
+        assert!(moving.iter().all(turns), "{solver}: {moving:?}");
+        let ContactError::StepFailed { cause, .. } = cause else {
+            panic!("{solver}: {cause}");
         };
         assert!(cause.is_proved_impossible(), "{solver}: {cause}");
         assert_eq!(cause.work.pivots, 0, "{solver}: {cause}");

@@ -131,7 +131,10 @@ fn of_bodies() -> Vec<Finding> {
             motion: FreeMotion::Translation,
             contacts: names(),
         }),
-        Finding::FreeTogether { bodies: names() },
+        Finding::FreeTogether {
+            bodies: names(),
+            motions: vec![FreeMotion::Rotation],
+        },
         Finding::ReserveWithInterference { contacts: names() },
         Finding::Yields(Yield {
             body: "plate".into(),

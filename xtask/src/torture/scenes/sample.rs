@@ -6,7 +6,6 @@ use serde_json::Value;
 use stickslip::host::HOST;
 use stickslip::output::sentence;
 use stickslip::results::{ContactFinding, CutBackEffect, EdgeGeometry, Finding, Results};
-use stickslip::run::RunError;
 use stickslip::scene::schema::Substance;
 use stickslip::scene::shape::Edge;
 use stickslip::scene::{Format, Scene};
@@ -95,14 +94,12 @@ pub(super) fn solve(value: &Value) -> Result<Sample, NoAnswer> {
 
 /// Runs a scene.
 pub(super) fn run(scene: &Scene) -> Result<Results, NoAnswer> {
-    stickslip::run::run(scene, &mut |_| {}).map_err(|error| match &error {
-        RunError::Contact(ContactError::StepFailed { cause, .. })
-            if cause.is_proved_impossible() =>
-        {
+    stickslip::run::run(scene, &mut |_| {}).map_err(|error| match error.contact() {
+        Some(ContactError::StepFailed { cause, .. }) if cause.is_proved_impossible() => {
             NoAnswer::Impossible(error.to_string())
         }
-        RunError::Contact(ContactError::StepFailed { .. }) => NoAnswer::Unsolved(error.to_string()),
-        other => NoAnswer::Refused(other.to_string()),
+        Some(ContactError::StepFailed { .. }) => NoAnswer::Unsolved(error.to_string()),
+        _ => NoAnswer::Refused(error.to_string()),
     })
 }
 
