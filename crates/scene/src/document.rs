@@ -12,10 +12,10 @@ use serde_json::{Map, Value};
 use stickslip_text::plain::is_control;
 use toml::de::{DeTable, DeValue};
 
-use super::json;
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText, offset_of};
-pub use crate::dotted::child;
 use crate::host::Host;
+pub use stickslip_text::dotted::child;
+use stickslip_text::json;
 
 /// The two spellings of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -44,17 +44,14 @@ pub fn offset(scene: &Scene, contact: &Contact) -> Point {
         .map(|[hole, inner]| hole - inner)
         .reduce(f64::min);
     let away = least.unwrap_or_default().max(0.0);
-    let along = match fastener {
+    let along = if let Some(fastener) = fastener {
         // One axis for all slices, which plates push either way.
-        Some(fastener) => {
-            let slices = |body: &str| fastener.slices.iter().any(|slice| slice == body);
-            axis::ahead(axis::of(scene, &slices, &|_| false))
-        }
-        None => {
-            let inner = |body: &str| holders(scene, body).any(|holder| holder == own);
-            let outer = |body: &str| holders(scene, &contact.first.body).any(|own| own == body);
-            axis::of(scene, &inner, &outer)
-        }
+        let slices = |body: &str| fastener.slices.iter().any(|slice| slice == body);
+        axis::ahead(axis::of(scene, &slices, &|_| false))
+    } else {
+        let inner = |body: &str| holders(scene, body).any(|holder| holder == own);
+        let outer = |body: &str| holders(scene, &contact.first.body).any(|own| own == body);
+        axis::of(scene, &inner, &outer)
     };
     along.map(|part| away * part)
 }

@@ -2,6 +2,8 @@
 //!
 //! | module | holds |
 //! | --- | --- |
+//! | [`dotted`] | keys of nested tables as one text |
+//! | [`json`] | where the entries of a JSON text stand |
 //! | [`number`] | numbers with a few significant digits, counts with their noun |
 //! | [`plain`] | text of others, safe for a terminal, a page, a picture and a spreadsheet |
 //!
@@ -14,6 +16,8 @@
 //! assert_eq!(printable("pin\u{1b}[2J"), "pin\\u{1b}[2J");
 //! ```
 
+pub mod dotted;
+pub mod json;
 pub mod number;
 pub mod plain;
 

@@ -234,7 +234,7 @@ impl OpenPair {
             let kept = self.facing_cells(&walked).ok_or_else(facing_nothing)?;
             let into_first =
                 |point: Point| left_on(&self.second, self.second.nearest(point)).map(|part| -part);
-            Some(self.edge_nodes(&walked, kept, &into_first))
+            Some(walked.edge_nodes(kept, &into_first))
         };
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
         let reach = lower.as_ref().map_or(everywhere, |lower| {
@@ -263,7 +263,7 @@ impl OpenPair {
             )));
         }
         let own = |point: Point| left_on(&self.first, self.along(self.place(point)));
-        let mut upper = self.edge_nodes(&walked, kept, &own);
+        let mut upper = walked.edge_nodes(kept, &own);
         let half = 0.5 * self.extent();
         let faced = [0.0, self.second.length()].map(|s| self.facing(self.second.at(s)));
         let ends = [
@@ -320,40 +320,6 @@ impl OpenPair {
         let distances: Vec<Option<f64>> = (0..path.edges.len()).map(distance).collect();
         run_around_least(&distances)
     }
-
-    /// The part of an edge with the cells `kept`.
-    /// The cells `kept` of an edge, with the normal into the first body that `normal` gives at a node: that of the edge itself, beside which
-    /// those of contact are those of the flatter edge.
-    fn edge_nodes(
-        &self,
-        walked: &Walked<'_>,
-        kept: Range<usize>,
-        normal: &dyn Fn(Point) -> Point,
-    ) -> EdgeNodes {
-        let order = walked.path.order;
-        let nodes = kept.start * order..=kept.end * order;
-        let path = EdgePath {
-            nodes: walked.path.nodes[nodes.clone()].to_vec(),
-            closed: false,
-            edges: walked.path.edges[kept].to_vec(),
-            order,
-        };
-        let parameter = walked.places[nodes].to_vec();
-        let places = path.nodes.iter().map(|&node| walked.mesh.nodes()[node]);
-        let along = parameter.iter().zip(places);
-        let along = along.map(|(&at, place)| (-at, normal(place)));
-        EdgeNodes {
-            kind: EdgeKind::Path,
-            path: along.collect(),
-            weights: walked.mesh.edge_weights(&path, None),
-            corner: (0..path.nodes.len()).map(|k| k % order == 0).collect(),
-            centre: None,
-            ends: [EdgeEnd::Free; 2],
-            nodes: path.nodes,
-            order,
-            parameter,
-        }
-    }
 }
 
 /// The unit normal on the left of a path, where two of its pieces meet the mean of both.
@@ -377,6 +343,34 @@ struct Walked<'m> {
 }
 
 impl Walked<'_> {
+    /// The cells `kept` of an edge, with the normal into the first body that `normal` gives at a node: that of the edge itself, beside which
+    /// those of contact are those of the flatter edge.
+    fn edge_nodes(&self, kept: Range<usize>, normal: &dyn Fn(Point) -> Point) -> EdgeNodes {
+        let order = self.path.order;
+        let nodes = kept.start * order..=kept.end * order;
+        let path = EdgePath {
+            nodes: self.path.nodes[nodes.clone()].to_vec(),
+            closed: false,
+            edges: self.path.edges[kept].to_vec(),
+            order,
+        };
+        let parameter = self.places[nodes].to_vec();
+        let places = path.nodes.iter().map(|&node| self.mesh.nodes()[node]);
+        let along = parameter.iter().zip(places);
+        let along = along.map(|(&at, place)| (-at, normal(place)));
+        EdgeNodes {
+            kind: EdgeKind::Path,
+            path: along.collect(),
+            weights: self.mesh.edge_weights(&path, None),
+            corner: (0..path.nodes.len()).map(|k| k % order == 0).collect(),
+            centre: None,
+            ends: [EdgeEnd::Free; 2],
+            nodes: path.nodes,
+            order,
+            parameter,
+        }
+    }
+
     /// The same edge walked the other way.
     fn reversed(mut self) -> Self {
         self.path = self.path.reversed();

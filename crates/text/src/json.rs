@@ -5,18 +5,21 @@
 
 use std::ops::Range;
 
-use super::dotted::child;
+use crate::dotted::child;
 
 /// A key and its value, as byte spans.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Entry {
-    pub(super) path: String,
-    pub(super) key: Option<Range<usize>>,
-    pub(super) value: Range<usize>,
+pub struct Entry {
+    /// The dotted key.
+    pub path: String,
+    /// Where the key stands; `None` of an entry of a list.
+    pub key: Option<Range<usize>>,
+    /// Where the value stands.
+    pub value: Range<usize>,
 }
 
 /// All entries of objects and lists in valid JSON, outer ones first.
-pub(super) fn entries(text: &str) -> Vec<Entry> {
+pub fn entries(text: &str) -> Vec<Entry> {
     let mut scan = Scan {
         text,
         at: 0,
