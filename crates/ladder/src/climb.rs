@@ -320,7 +320,7 @@ impl Climb<'_> {
 
     /// The results of the last level, with their errors.
     fn finish(
-        self,
+        mut self,
         mut levels: Vec<Level>,
         mut errors: Table,
         path: &Left,
@@ -338,6 +338,9 @@ impl Climb<'_> {
         if geometry.failed.is_some() {
             end = LadderEnd::Unchecked;
             along.clear();
+            for rung in &mut self.rungs {
+                rung.error = None;
+            }
             for own in errors.iter_mut().flatten() {
                 *own = Errors::default();
             }

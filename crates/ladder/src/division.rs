@@ -220,8 +220,8 @@ impl Changes<'_> {
             return 0.0;
         };
         let spacing = Nodes::of(&self.fine.own[step][edge]).spacing(place);
-        if half > spacing {
-            UNRESOLVED * pressure * (spacing / half).powi(2)
+        if half > 0.0 {
+            UNRESOLVED * pressure * (spacing / half).min(1.0).powi(2)
         } else {
             0.0
         }

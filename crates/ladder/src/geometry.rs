@@ -27,10 +27,8 @@ pub(super) struct Geometry {
 impl Geometry {
     /// The undeformed geometry, because of `why` nothing is known of the deformed one.
     pub(super) fn unknown(why: &RunError) -> Self {
-        let fails = matches!(
-            why,
-            RunError::Contact(_) | RunError::Model(ModelError::Generate { .. })
-        );
+        let fails =
+            why.contact().is_some() || matches!(why, RunError::Model(ModelError::Generate { .. }));
         Self {
             reason: format!("no error states what deformed gaps would change: {why}"),
             failed: fails.then(|| why.to_string()),

@@ -26,7 +26,7 @@ const KINDS: &[(&[&str], Foreign, &[&str])] = &[
     (
         &["vtu", "vtk", "vtp", "pvtu", "pvd"],
         kind("a mesh of VTK", None),
-        &["<?xml", "<VTKFile", "# vtk DataFile"],
+        &["<VTKFile", "# vtk DataFile"],
     ),
     (
         &["stl"],
@@ -79,7 +79,8 @@ impl Foreign {
             .trim_start_matches('\u{feff}')
             .lines()
             .map(str::trim_start);
-        let first = lines.by_ref().find(|line| !line.is_empty())?;
+        let begins_file = |line: &&str| !line.is_empty() && !line.starts_with("<?xml");
+        let first = lines.by_ref().find(begins_file)?;
         let begins =
             |line: &str, beginnings: &[&str]| beginnings.iter().any(|own| line.starts_with(own));
         let found = KINDS

@@ -76,15 +76,19 @@ impl Flaw {
         worst: u64,
     ) -> fmt::Result {
         let ([angle, _], [ratio, _]) = (ANGLES, SIDES);
+        let have = match count {
+            1 => "1 element has".to_owned(),
+            more => format!("{more} elements have"),
+        };
         match self {
             Self::Corner(own) => write!(
                 out,
-                "{count} elements have corners below {angle}° or above {}°, the worst is element {worst} with {own:.2}°",
+                "{have} corners below {angle}° or above {}°, the worst is element {worst} with {own:.2}°",
                 180.0 - angle
             ),
             Self::Sides(own) => write!(
                 out,
-                "{count} elements have sides more than {ratio} times as long as others, the worst is element {worst} with {own:.1} times"
+                "{have} sides more than {ratio} times as long as others, the worst is element {worst} with {own:.1} times"
             ),
         }?;
         out.write_str("; stresses there depend on the mesh, which is better with even cells")

@@ -4,7 +4,7 @@
 //! their own: the box around the outline along a direction of its own (`orientation.rs`), centred and of unit size, coordinates on a grid of
 //! [`GRID`], and of the eight ways to turn and mirror that box, and of all orders of pieces and holes, the one whose list of coordinates
 //! comes first. The same body in other units, elsewhere, turned, mirrored, or drawn from another corner has the same triangles, unless a
-//! coordinate lies within rounding of the middle between two grid lines. Nodes on the boundary return to the exact curves. Of a body that is its own image, several ways come first: its triangles are their own images only where `symmetry.rs` finds the mirror.
+//! coordinate lies within rounding of the middle between two grid lines, or the outline is drawn by arcs of one circle alone, whose ends give the direction. Nodes on the boundary return to the exact curves. Of a body that is its own image, several ways come first: its triangles are their own images only where `symmetry.rs` finds the mirror.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;

@@ -17,6 +17,8 @@ const SAME: f64 = 1e-9;
 const ON_AXIS: f64 = 1e-13;
 /// Most pieces that are compared in pairs: those of regular outlines lie along their mirrors or across.
 const MOST_PAIRED: usize = 8;
+/// Most directions that are tried: more are those of regular outlines, which look the same along each.
+const MOST: usize = 16;
 
 /// Unit vectors within 45° of x, one at least; right angles do not tell directions apart.
 pub(crate) fn directions(outline: &Outline) -> Vec<Point> {
@@ -41,7 +43,7 @@ pub(crate) fn directions(outline: &Outline) -> Vec<Point> {
             found.push(angle);
         }
     }
-    found.into_iter().map(direction).collect()
+    found.into_iter().take(MOST).map(direction).collect()
 }
 
 fn direction(angle: f64) -> Point {

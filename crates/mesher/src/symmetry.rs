@@ -56,11 +56,12 @@ impl Mirror {
             return None;
         }
         let shape = |track: &Track| [track.from, track.at(track.length() / 2.0), track.to];
+        let shapes: Vec<[Point; 3]> = outline.tracks.iter().map(shape).collect();
         let image = |k: usize| {
-            let [from, halfway, to] = shape(&outline.tracks[k]).map(|p| mirrored(p, across));
+            let [from, halfway, to] = shapes[k].map(|p| mirrored(p, across));
             let fine = |track: usize| refined.get(&outline.numbers[track]);
             let is_image = |own: &usize| {
-                let points = shape(&outline.tracks[*own]).into_iter();
+                let points = shapes[*own].into_iter();
                 let mut pairs = points.zip([to, halfway, from]);
                 pairs.all(|(one, other)| distance(one, other) < NEAR)
                     && are_images([*own, k].map(|k| &outline.tracks[k]), across)

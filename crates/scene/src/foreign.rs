@@ -37,7 +37,7 @@ pub(crate) fn problem(path: &Path, foreign: Foreign, host: Host) -> SceneProblem
     };
     let ends = [
         edges.first().unwrap_or(&"left"),
-        edges.last().unwrap_or(&"right"),
+        edges.get(1..).and_then(<[_]>::last).unwrap_or(&"right"),
     ];
     let example = (EXAMPLE.replace("part.inp", &named))
         .replace("part.left", &format!("part.{}", ends[0]))

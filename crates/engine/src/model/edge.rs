@@ -27,6 +27,8 @@ pub struct ModelEdge {
     pub pair: Option<usize>,
     /// Up to where from the bearing point θ = 0 or x = 0 the mesh along it is fine `[rad or mm]`; `None` for all of it.
     pub fine_to: Option<f64>,
+    /// By what its body is turned, from where angles of the fine part count `[rad]`.
+    pub turn: f64,
     /// What lies at its first and its last node, if it touches another open edge.
     pub ends: [EdgeEnd; 2],
     /// Tractions of the loads on it: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
@@ -44,22 +46,30 @@ impl ModelEdge {
         [is_corner[0] && first, is_corner[1] && last]
     }
 
-    /// Puts at ends that are held beside this edge too what the line through the `tractions` of the next two nodes is there.
+    /// Puts at ends that are held beside this edge too what the line through the `tractions` of the next two nodes is there; where there are too few
+    /// nodes of its own, those of the next one, and of an edge of two nodes between two others the mean of both.
     pub fn continue_to_shared_ends(&self, tractions: &mut [[f64; 2]]) {
-        let (count, places) = (tractions.len(), &self.geometry.parameter);
-        if count < 3 {
-            return;
-        }
-        for (is_shared, [end, next, far]) in self
-            .shared_ends
-            .into_iter()
-            .zip([[0, 1, 2], [count - 1, count - 2, count - 3]])
-        {
-            if is_shared {
-                let part = (places[end] - places[next]) / (places[next] - places[far]);
-                let [near, beyond] = [tractions[next], tractions[far]];
-                tractions[end] = [0, 1].map(|axis| near[axis] + part * (near[axis] - beyond[axis]));
+        let (known, places) = (tractions.to_vec(), &self.geometry.parameter);
+        let count = known.len();
+        let both = self.shared_ends == [true; 2];
+        for (is_shared, is_last) in self.shared_ends.into_iter().zip([false, true]) {
+            if !is_shared || count < 2 {
+                continue;
             }
+            let at = |k: usize| if is_last { count - 1 - k } else { k };
+            let [end, next] = [at(0), at(1)];
+            let through = |other: [f64; 2], part: f64| {
+                [0, 1].map(|axis| known[next][axis] + part * (known[next][axis] - other[axis]))
+            };
+            tractions[end] = if count > 2 + usize::from(both) {
+                let far = at(2);
+                let part = (places[end] - places[next]) / (places[next] - places[far]);
+                through(known[far], part)
+            } else if both && count == 2 {
+                through(known[end], -0.5)
+            } else {
+                known[next]
+            };
         }
     }
 

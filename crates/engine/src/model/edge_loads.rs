@@ -124,6 +124,13 @@ pub(super) fn shared_ends(
     let platens = plan.platens.iter().map(|own| &own.of.on);
     let others = supports.chain(springs).chain(platens);
     let others = others.filter(|on| on.body == placed.of.body && *on != placed.of);
+    // What another edge takes across is not taken here.
+    let own = plan.held_along(placed.of);
+    let is_along = |other: &[f64; 2]| {
+        let mut parts = own.iter().map(|own| own[0] * other[0] + own[1] * other[1]);
+        parts.any(|part| part.abs() > 1e-9)
+    };
+    let others = others.filter(|on| plan.held_along(on).iter().any(is_along));
     let held: Vec<&[usize]> = others
         .filter_map(|on| mesh.node_set(&on.set).ok())
         .collect();

@@ -125,8 +125,10 @@ fn turned_meshing(
         return meshing(body, partner, angles, half, most_layers);
     }
     if body.shape.is_placed() {
+        // The remainder of what rounding leaves below zero may be a full turn.
         let from_turn = angles.iter().map(|angle| (angle + turn).rem_euclid(TAU));
-        let mut angles: Vec<f64> = from_turn.collect();
+        let within = from_turn.map(|at| if at < TAU { at } else { 0.0 });
+        let mut angles: Vec<f64> = within.collect();
         angles.sort_by(f64::total_cmp);
         return meshing(body, partner, &angles, half, most_layers);
     }

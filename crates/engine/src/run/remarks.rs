@@ -35,7 +35,8 @@ pub(super) fn of_steps(
         if edge.contact {
             let own: Vec<&EdgeResults> = steps.iter().map(|step| &step.edges[index]).collect();
             let zones: Vec<&[Zone]> = own.iter().map(|step| &*step.zones).collect();
-            findings.extend(beyond_fine_zone(model.edges[index].fine_to, edge, &zones));
+            let ModelEdge { fine_to, turn, .. } = model.edges[index];
+            findings.extend(beyond_fine_zone(fine_to, turn, edge, &zones));
             findings.extend(at_ends(&model.edges[index], &own));
             findings.extend(wanders(edge, &own));
         }
@@ -170,11 +171,16 @@ fn at_ends(edge: &ModelEdge, steps: &[&EdgeResults]) -> impl Iterator<Item = Fin
 }
 
 /// The farthest end of contact on `edge` in any load step, if it lies beyond the `limit` of the mesh's fine zone; `steps` holds the
-/// contact's zones for each step. Contact all around has no end, and a mesh of equal spacing no limit.
-fn beyond_fine_zone(limit: Option<f64>, edge: &EdgeGeometry, steps: &[&[Zone]]) -> Option<Finding> {
+/// contact's zones for each step, and places on a circle count from `turn`. Contact all around has no end, and a mesh of equal spacing no limit.
+fn beyond_fine_zone(
+    limit: Option<f64>,
+    turn: f64,
+    edge: &EdgeGeometry,
+    steps: &[&[Zone]],
+) -> Option<Finding> {
     let limit = limit?;
     let place = |end: f64| match edge.kind {
-        EdgeKind::Circle { .. } => wrapped(end),
+        EdgeKind::Circle { .. } => wrapped(end - turn),
         EdgeKind::Line | EdgeKind::Path => end,
     };
     let ends = |zones: &[Zone]| -> Vec<f64> {

@@ -97,7 +97,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             quoted(fasteners)
         ),
         Finding::GeometryUnchecked { why } => format!(
-            "What the displacements change in the gaps is not known: the model on the deformed geometry gave no answer ({why}). No errors are stated;              the loads may be too large for small displacements."
+            "What the displacements change in the gaps is not known: the model on the deformed geometry gave no answer ({why}). No errors are stated; the loads may be too large for small displacements."
         ),
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, *end),
         Finding::ContactParts { steps } => format!(

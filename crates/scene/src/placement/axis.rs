@@ -10,20 +10,18 @@ const ALONG: f64 = 1e-12;
 type Bodies<'a> = &'a dyn Fn(&str) -> bool;
 
 /// The unit vector along which the bodies `inner` move in a hole of the bodies `outer`, so that they start where they touch: that of the forces on `inner`,
-/// otherwise against those on `outer`, in the first step in which they do not cancel out; the same of displacements where no force has a
-/// direction. Where only other bodies are loaded it is the axis of all forces, with x > 0 or along +y, and x without any.
+/// otherwise against those on `outer`, in the first step in which they do not cancel out; the same of displacements where no force on either has a
+/// direction. Where only other bodies are driven it is the axis of all forces, or of all displacements, with x > 0 or along +y, and x without any.
 pub(super) fn of(scene: &Scene, inner: Bodies<'_>, outer: Bodies<'_>) -> [f64; 2] {
     let forces = |on: Bodies<'_>| force(scene, on);
     let motions = |on: Bodies<'_>| motion(&scene.supports, on);
-    let driven = |of: &dyn Fn(Bodies<'_>) -> Option<[f64; 2]>| {
-        let against = || of(outer).map(|push| push.map(|part| -part));
-        of(inner)
-            .or_else(against)
-            .or_else(|| of(&|_| true).map(ahead))
+    let own = |of: &dyn Fn(Bodies<'_>) -> Option<[f64; 2]>| {
+        of(inner).or_else(|| of(outer).map(|push| push.map(|part| -part)))
     };
-    let [x, y] = driven(&forces)
-        .or_else(|| driven(&motions))
-        .unwrap_or([1.0, 0.0]);
+    let all = |of: &dyn Fn(Bodies<'_>) -> Option<[f64; 2]>| of(&|_| true).map(ahead);
+    let found = own(&forces).or_else(|| own(&motions));
+    let found = found.or_else(|| all(&forces)).or_else(|| all(&motions));
+    let [x, y] = found.unwrap_or([1.0, 0.0]);
     if y.abs() < ALONG {
         [x.signum(), 0.0]
     } else if x.abs() < ALONG {

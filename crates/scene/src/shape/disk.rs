@@ -46,6 +46,10 @@ impl Outline for Disk {
         "disk"
     }
 
+    fn turns_freely(&self) -> bool {
+        true
+    }
+
     fn edges(&self) -> Vec<Edge> {
         vec![Edge::circular("rim", Role::Rim, self.radius, "disk.radius")]
     }

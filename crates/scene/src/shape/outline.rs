@@ -104,6 +104,11 @@ pub trait Outline: fmt::Debug {
         None
     }
 
+    /// Whether it is the same however it is turned about its origin.
+    fn turns_freely(&self) -> bool {
+        false
+    }
+
     /// By what angle about its origin the scene turns it `[rad]`.
     fn turn(&self) -> f64 {
         0.0

@@ -59,6 +59,10 @@ impl Outline for Ring {
         hole::NAME
     }
 
+    fn turns_freely(&self) -> bool {
+        true
+    }
+
     fn edges(&self) -> Vec<Edge> {
         let key = "plate_with_hole.outline.ring.radius";
         let outer = Edge::circular("outer", Role::Rim, self.radius, key);

@@ -100,7 +100,11 @@ fn files_of_other_programs_are_known_by_name_or_first_line() {
             "a mesh of Abaqus or CalculiX",
         ),
         ("c.vtu", "", "a mesh of VTK"),
-        ("c.toml", "<?xml version=\"1.0\"?>\n", "a mesh of VTK"),
+        (
+            "c.toml",
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\">\n",
+            "a mesh of VTK",
+        ),
         ("d.STL", "", "a surface of triangles (STL)"),
         (
             "d",
@@ -171,7 +175,7 @@ fn slender_cells_reach_the_reader_with_the_number_of_the_file() {
     holds(
         &printed,
         &[
-            "1 elements have sides more than 20 times",
+            "1 element has sides more than 20 times",
             "element 7 with 33.3 times",
         ],
     );

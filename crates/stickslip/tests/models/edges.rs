@@ -133,8 +133,13 @@ fields = "none"
 #[test]
 fn corners_of_two_supports_carry_what_is_beside_them() {
     let expected = -210e3 * 12e-6 * 100.0;
-    for element in ["Q4", "Q8"] {
-        let results = solved(CLAMPED, &[&format!("mesh.element={element}")]);
+    // The last two have one cell along each edge.
+    for (element, spacing) in [("Q4", 2.5), ("Q8", 2.5), ("Q4", 10.0), ("Q8", 10.0)] {
+        let changes = [
+            format!("mesh.element={element}"),
+            format!("mesh.spacing={spacing} mm"),
+        ];
+        let results = solved(CLAMPED, &changes.each_ref().map(String::as_str));
         for (edge, [normal, along]) in [(0, [0.0, expected]), (1, [expected, 0.0])] {
             for row in &results.steps[0].edges[edge].rows {
                 for (found, expected) in [

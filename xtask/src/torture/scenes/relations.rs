@@ -74,7 +74,7 @@ pub(super) fn mirrored(sample: &Sample) -> Verdict {
 
 /// A scene of circles turned by a quarter has the turned answer: with quadrilaterals of equal spacing, and with contacts that know no
 /// direction: neat fits and interference with any friction; clearance without friction and with the linearised gap, where one body alone
-/// is held, because a pin starts where it touches at θ = 0. Outlines and the pins in them are turned by any angle.
+/// is held. Outlines and the pins in them are turned by any angle.
 pub(super) fn turned(sample: &Sample) -> Verdict {
     if let Some(spun) = transform::spun(&sample.value, SPIN).filter(|_| !sample.is_half()) {
         return same(sample, &spun, |answer| answer.spun(-SPIN.to_radians()));

@@ -221,6 +221,7 @@ impl EdgeNodes {
                 EdgeKind::Circle { .. } | EdgeKind::Line => body.fine_to(),
                 EdgeKind::Path => None,
             },
+            turn: body.shape.turn(),
             ends: self.ends,
             tractions: Vec::new(),
         }

@@ -6,11 +6,13 @@ use stickslip_fem_core::mesh::{Mesh, Point};
 
 use crate::model::plan::Plan;
 
-/// The angle from which each body's nodes on circles count `[rad]`, by index: zero where a body by series touches.
+/// The angle from which each body's nodes on circles count `[rad]`, by index: by which the scene turns the first body with a hole of those that touch along
+/// circles; zero where one of them is a series or has a direction of its own.
 pub(super) fn of(plan: &Plan<'_>) -> Vec<f64> {
     let count = plan.bodies.len();
+    let round = || plan.contacts.iter().filter(|own| own.radii().is_some());
     let mut group: Vec<usize> = (0..count).collect();
-    for contact in plan.contacts.iter().filter(|own| own.radii().is_some()) {
+    for contact in round() {
         let [one, other] = [0, 1].map(|side| group[contact.sides[side].body]);
         for own in &mut group {
             if *own == other {
@@ -18,15 +20,19 @@ pub(super) fn of(plan: &Plan<'_>) -> Vec<f64> {
             }
         }
     }
+    let has_hole = |body: usize| round().any(|contact| contact.sides[0].body == body);
+    let is_fixed = |body: usize| {
+        let own = &plan.bodies[body];
+        own.series.is_some() || !(own.shape.is_placed() || own.shape.turns_freely())
+    };
     let turn = |body: usize| {
         let members = || (0..count).filter(|&other| group[other] == group[body]);
-        let mut placed = members().filter(|&other| plan.bodies[other].shape.is_placed());
-        if members().any(|other| plan.bodies[other].series.is_some()) {
-            return 0.0;
-        }
-        placed
-            .next()
-            .map_or(0.0, |other| plan.bodies[other].shape.turn())
+        let alone = members().count() == 1;
+        let is_turned =
+            |&other: &usize| plan.bodies[other].shape.is_placed() && (alone || has_hole(other));
+        let turned = members().find(is_turned);
+        let turned = turned.filter(|_| !members().any(is_fixed));
+        turned.map_or(0.0, |other| plan.bodies[other].shape.turn())
     };
     (0..count).map(turn).collect()
 }

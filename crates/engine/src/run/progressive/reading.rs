@@ -11,6 +11,9 @@ use super::subject::Subject;
 use crate::model::{Model, ModelBodyKind, ModelContact};
 use crate::results::{BearingSource, ContactFrame};
 
+/// Part of a clearance that is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Where the joint is read.
 pub(super) struct Reading {
     pub(super) gauge: Gauge,
@@ -94,7 +97,12 @@ impl Subject<'_> {
                     let ModelContact {
                         clearance, start, ..
                     } = model.contacts[pair];
-                    clearance - start[0] * direction[0] - start[1] * direction[1]
+                    let free = clearance - start[0] * direction[0] - start[1] * direction[1];
+                    if free > ROUNDING * clearance {
+                        free
+                    } else {
+                        0.0
+                    }
                 },
             },
             hole: Hole {

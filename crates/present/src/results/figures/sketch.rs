@@ -66,7 +66,7 @@ pub(super) fn all(results: &Results) -> Vec<Plan<'_>> {
             ""
         };
         let text = format!(
-            "Bodies as they are modelled with their cells, names of sets, edges in contact, supports (crosses) and loads (arrows).{part}"
+            "Bodies as they are modelled, names of sets, edges in contact, supports (crosses) and loads (arrows); cells of a given mesh unless there are many.{part}"
         );
         Ok(picture.map(|picture| (picture, text)))
     };
