@@ -46,30 +46,25 @@ impl ModelEdge {
         [is_corner[0] && first, is_corner[1] && last]
     }
 
-    /// Puts at ends that are held beside this edge too what the line through the `tractions` of the next two nodes is there; where there are too few
-    /// nodes of its own, those of the next one, and of an edge of two nodes between two others the mean of both.
+    /// Puts at ends that are held beside this edge too what the line through the `tractions` of the next two nodes is there; of the three nodes between two
+    /// others those of the middle one. Edges of one cell have no stresses.
     pub fn continue_to_shared_ends(&self, tractions: &mut [[f64; 2]]) {
         let (known, places) = (tractions.to_vec(), &self.geometry.parameter);
         let count = known.len();
-        let both = self.shared_ends == [true; 2];
+        let least = 3 + usize::from(self.shared_ends == [true; 2]);
         for (is_shared, is_last) in self.shared_ends.into_iter().zip([false, true]) {
-            if !is_shared || count < 2 {
+            if !is_shared || count < 3 {
                 continue;
             }
             let at = |k: usize| if is_last { count - 1 - k } else { k };
-            let [end, next] = [at(0), at(1)];
-            let through = |other: [f64; 2], part: f64| {
-                [0, 1].map(|axis| known[next][axis] + part * (known[next][axis] - other[axis]))
-            };
-            tractions[end] = if count > 2 + usize::from(both) {
-                let far = at(2);
-                let part = (places[end] - places[next]) / (places[next] - places[far]);
-                through(known[far], part)
-            } else if both && count == 2 {
-                through(known[end], -0.5)
+            let [end, next, far] = [at(0), at(1), at(2)];
+            let part = if count < least {
+                0.0
             } else {
-                known[next]
+                (places[end] - places[next]) / (places[next] - places[far])
             };
+            tractions[end] = [0, 1]
+                .map(|axis| known[next][axis] + part * (known[next][axis] - known[far][axis]));
         }
     }
 

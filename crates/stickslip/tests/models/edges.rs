@@ -133,8 +133,8 @@ fields = "none"
 #[test]
 fn corners_of_two_supports_carry_what_is_beside_them() {
     let expected = -210e3 * 12e-6 * 100.0;
-    // The last two have one cell along each edge.
-    for (element, spacing) in [("Q4", 2.5), ("Q8", 2.5), ("Q4", 10.0), ("Q8", 10.0)] {
+    // The last two have two cells along each edge.
+    for (element, spacing) in [("Q4", 2.5), ("Q8", 2.5), ("Q4", 5.0), ("Q8", 5.0)] {
         let changes = [
             format!("mesh.element={element}"),
             format!("mesh.spacing={spacing} mm"),
