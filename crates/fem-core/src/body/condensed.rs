@@ -35,6 +35,8 @@ pub struct CondensedBody {
     modes: DMatrix<f64>,
     /// Forces of each load case on the unknowns; `None` for a case that does not load this body.
     case_forces: Vec<Option<Vec<f64>>>,
+    /// Half the sum of the nodal forces of each load case, on held nodes as well `[force]`.
+    case_sums: Vec<f64>,
     responses: Vec<Option<DVector<f64>>>,
     mode_loads: Vec<DVector<f64>>,
     section: Option<Section>,
@@ -106,6 +108,7 @@ impl CondensedBody {
             compliance,
             modes: structure.interface_modes(&body),
             case_forces: Vec::new(),
+            case_sums: Vec::new(),
             responses: Vec::new(),
             mode_loads: Vec::new(),
             section: None,
@@ -140,6 +143,7 @@ impl CondensedBody {
             }
             self.mode_loads
                 .push(self.structure.mode_load(&self.body, &nodal));
+            self.case_sums.push(balance::half_sum(&nodal));
             let mut forces = self.structure.to_unknowns(&nodal);
             if case.moves_supports {
                 forces

@@ -20,8 +20,8 @@ pub struct BodyBalance {
     pub reaction: [f64; 2],
     /// Their moment about the origin `[force·length]`.
     pub reaction_moment: f64,
-    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces or of all reactions, or to a
-    /// thousandth of the largest such sum of applied forces in the history where that is more.
+    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces, or to a
+    /// thousandth of the largest such sum in the history where that is more.
     pub force: f64,
     /// Unbalanced moment, relative to that sum times the body's size.
     pub moment: f64,
@@ -53,24 +53,21 @@ impl CondensedBody {
             .zip(states)
             .enumerate()
             .map(|(k, ((residual, u), state))| {
-                let reactions = self.reactions(residual, u, state);
-                let [reaction, rest] = self.resultants(&reactions, state);
-                // What a temperature does to a body that is held all around acts on held nodes alone.
-                let held = half_sum(&reactions);
-                let [applied, load] = [applied[k], load[k]].map(|scale| scale.max(held));
+                let [reaction, rest] = self.resultants(residual, u, state);
                 BodyBalance {
                     reaction: [reaction[0], reaction[1]],
                     reaction_moment: reaction[2],
-                    force: relative(rest[0].hypot(rest[1]), applied),
-                    moment: relative(rest[2].abs(), applied * size),
-                    nodal: relative(self.largest_free(residual), load),
+                    force: relative(rest[0].hypot(rest[1]), applied[k]),
+                    moment: relative(rest[2].abs(), applied[k] * size),
+                    nodal: relative(self.largest_free(residual), load[k]),
                 }
             })
             .collect()
     }
 
-    /// The nodal forces of all that holds the body.
-    fn reactions(&self, residual: &[f64], u: &[f64], state: &BodyLoad<'_>) -> Vec<f64> {
+    /// Resultants of the reactions, and of these with all that is applied.
+    fn resultants(&self, residual: &[f64], u: &[f64], state: &BodyLoad<'_>) -> [[f64; 3]; 2] {
+        let nodes = self.body.mesh.nodes();
         let mut reactions = vec![0.0; residual.len()];
         for (node, constraint) in self.structure.constraints.iter().enumerate() {
             let local = constraint.to_local([residual[2 * node], residual[2 * node + 1]]);
@@ -89,19 +86,13 @@ impl CondensedBody {
             let both = reactions.iter_mut().zip(&further);
             both.for_each(|(sum, force)| *sum += force);
         }
-        reactions
-    }
-
-    /// Resultants of the reactions, and of these with all that is applied.
-    fn resultants(&self, reactions: &[f64], state: &BodyLoad<'_>) -> [[f64; 3]; 2] {
-        let nodes = self.body.mesh.nodes();
-        let reaction = resultant(nodes, reactions);
+        let reaction = resultant(nodes, &reactions);
         let load = resultant(nodes, &self.applied_forces(state));
         [reaction, [0, 1, 2].map(|k| reaction[k] + load[k])]
     }
 
     /// Largest of the `residual` forces on unknowns that nothing holds, relative to the load: half the sum of all nodal
-    /// forces of `forces`, or of the load cases times `multipliers` if that is more. 0 where nothing is loaded.
+    /// forces, those of a temperature on held nodes included, of `forces`, or of the load cases times `multipliers` if that is more. 0 where nothing is loaded.
     pub fn relative_imbalance(&self, residual: &[f64], forces: &[f64], multipliers: &[f64]) -> f64 {
         relative(
             self.largest_free(residual),
@@ -110,9 +101,10 @@ impl CondensedBody {
     }
 
     fn load_scale(&self, forces: &[f64], multipliers: &[f64]) -> f64 {
-        let cases = self.case_forces.iter().zip(multipliers);
-        let load: f64 = cases
-            .map(|(case, factor)| factor.abs() * case.as_deref().map_or(0.0, half_sum))
+        let cases = self.case_forces.iter().zip(&self.case_sums);
+        let sums = cases.map(|(case, sum)| sum.max(case.as_deref().map_or(0.0, half_sum)));
+        let load: f64 = (sums.zip(multipliers))
+            .map(|(sum, factor)| factor.abs() * sum)
             .sum();
         load.max(half_sum(forces))
     }
@@ -124,7 +116,7 @@ impl CondensedBody {
     }
 }
 
-fn half_sum(forces: &[f64]) -> f64 {
+pub(super) fn half_sum(forces: &[f64]) -> f64 {
     forces.iter().map(|force| force.abs()).sum::<f64>() / 2.0
 }
 
