@@ -143,7 +143,8 @@ impl CondensedBody {
             }
             self.mode_loads
                 .push(self.structure.mode_load(&self.body, &nodal));
-            self.case_sums.push(balance::half_sum(&nodal));
+            self.case_sums
+                .push(nodal.iter().map(|force| force.abs()).sum::<f64>() / 2.0);
             let mut forces = self.structure.to_unknowns(&nodal);
             if case.moves_supports {
                 forces

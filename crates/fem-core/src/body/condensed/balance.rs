@@ -116,7 +116,7 @@ impl CondensedBody {
     }
 }
 
-pub(super) fn half_sum(forces: &[f64]) -> f64 {
+fn half_sum(forces: &[f64]) -> f64 {
     forces.iter().map(|force| force.abs()).sum::<f64>() / 2.0
 }
 
