@@ -182,6 +182,11 @@ fn mid_nodes_snap_from_chords_to_the_circle() {
             );
         }
         assert_eq!(snap(&mut chords, "hole"), Ok(0));
+        // Nor are nodes counted that miss the circle by the digits of a file.
+        for node in &mut chords.nodes {
+            *node = node.map(|x| (1e9 * x).round() / 1e9);
+        }
+        assert_eq!(snap(&mut chords, "hole"), Ok(0));
         assert!(snap(&mut chords, "no such set").is_err());
         assert_eq!(snap(&mut chords, "left"), Ok(0));
     }

@@ -196,3 +196,41 @@ fn check_shows_the_moduli_of_a_laminate_and_run_prints_its_failure() {
     let again = succeeds(folder.path(), &["check", "again.toml"]);
     assert!(again.contains("[0/90_2/0]s, 8 plies"), "{again}");
 }
+
+/// A sketch names bodies and their sets, and has cells where the scene gives a mesh.
+#[test]
+fn sketches_name_bodies_and_sets() {
+    let folder = folder_with("scene.toml", SCENE);
+    let drawn = |further: &[&str]| {
+        let arguments = ["check", "scene.toml", "--sketch", "sketch.svg"];
+        succeeds(folder.path(), &[&arguments[..], further].concat());
+        let svg = fs::read_to_string(folder.path().join("sketch.svg")).unwrap();
+        fs::remove_file(folder.path().join("sketch.svg")).unwrap();
+        move |text: &str| svg.contains(&format!(">{text}<"))
+    };
+    let whole = drawn(&[
+        "--set",
+        "analysis.model=whole",
+        "--set",
+        "mesh.spacing=15 deg",
+    ]);
+    for text in [
+        "plate",
+        "pin",
+        "left",
+        "hole",
+        "cells",
+        "edges in contact",
+        "held",
+        "loads",
+    ] {
+        assert!(whole(text), "{text}");
+    }
+    assert!(whole("rim") && !whole("platens"));
+    // A name that is longer than its edge is left out, and so are too many cells.
+    let long = "bodies.plate.shape.plate_with_hole.outline.strip.left=900 mm";
+    let wide = drawn(&["--set", long]);
+    assert!(wide("top") && !wide("rim"));
+    let finer = drawn(&["--set", "mesh.spacing=1 deg"]);
+    assert!(finer("left") && !finer("cells"));
+}

@@ -154,6 +154,21 @@ fn corners_of_two_supports_carry_what_is_beside_them() {
     }
 }
 
+/// Corners are shared where both supports hold in one direction: rollers across each other, as of a quarter, are not.
+#[test]
+fn rollers_across_each_other_share_nothing() {
+    let ends = |text: &str| {
+        model(text, &[""; 0])
+            .edges
+            .iter()
+            .map(|edge| edge.shared_ends)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(ends(CLAMPED)[0], [true; 2]);
+    let rollers = CLAMPED.replace("fix = [\"x\", \"y\"]", "fix = [\"y\"]");
+    assert_eq!(ends(&rollers), [[false; 2]; 2]);
+}
+
 /// Where every edge is held, a temperature loads held nodes alone, and balance is that of the reactions.
 #[test]
 fn a_body_held_all_around_balances() {

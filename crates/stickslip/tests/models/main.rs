@@ -24,6 +24,7 @@ mod splines;
 mod springs;
 mod stated;
 mod travel;
+mod turned;
 mod unbalanced;
 mod yields;
 

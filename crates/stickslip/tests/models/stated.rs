@@ -1,6 +1,6 @@
 //! Numbers that are stated with an error, and the accuracies that bound them.
 
-use stickslip::results::{LadderEnd, Results, Stated};
+use stickslip::results::{Finding, LadderEnd, Results, Stated};
 
 use super::series::PIN;
 use super::{difference, solved};
@@ -147,5 +147,115 @@ fn each_name_bounds_its_number() {
             super::scene(scene.resolved(), &[]).analysis.accuracy,
             Some(accuracy)
         );
+    }
+}
+
+/// Where the model on the deformed geometry gives no answer, no number has an error, no accuracy is reached, and it is said.
+#[test]
+fn without_the_deformed_geometry_no_error_is_stated() {
+    let far = "loads.0.force.steps=[\"400 kN\"]";
+    let results = solved(
+        &PIN.replace("substeps = 1\n", ""),
+        &[far, "analysis.accuracy=\"1 %\""],
+    );
+    let ladder = results.ladder.as_ref().unwrap();
+    assert_eq!(ladder.end, LadderEnd::Unchecked);
+    assert!(ladder.rungs.iter().all(|rung| rung.error.is_none()));
+    let is_said = |finding: &Finding| matches!(finding, Finding::GeometryUnchecked { .. });
+    assert!(
+        results.findings.iter().any(is_said),
+        "{:?}",
+        results.findings
+    );
+    let edge = &results.steps[0].edges[0];
+    assert!(
+        Stated::ALL
+            .into_iter()
+            .all(|stated| edge.errors.get(stated).is_none())
+    );
+    assert!(edge.row_errors.is_empty());
+}
+
+/// An elliptic nose on a flat, without friction: two meshes may have the same peak by chance, which is not its error.
+#[test]
+fn a_peak_on_which_two_meshes_agree_has_an_error() {
+    let at = |degrees: i32| {
+        let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+        [12.0 * sin, 8.0 - 8.0 * cos]
+    };
+    let place = |degrees: i32| {
+        let [x, y] = at(degrees);
+        format!("[\"{x:.6} mm\", \"{y:.6} mm\"]")
+    };
+    let piece = |from: i32, to: i32, further: &str| {
+        let between: Vec<String> = (from / 5 + 1..to / 5).map(|k| place(5 * k)).collect();
+        let (to, between) = (place(to), between.join(", "));
+        format!("{{ name = \"nose\", to = {to}, spline = [{between}]{further} }}")
+    };
+    let nose = [
+        piece(-80, -5, ""),
+        piece(-5, 5, ", refine = 80"),
+        piece(5, 80, ""),
+    ]
+    .join(", ");
+    let ([left, _], start) = (at(-80), place(-80));
+    let text = format!(
+        r#"
+version = 1
+[analysis]
+plane = "strain"
+[materials.steel.isotropic]
+young = "210 GPa"
+poisson = 0.3
+[bodies.cam]
+material = "steel"
+thickness = "10 mm"
+[bodies.cam.shape.outline]
+start = {start}
+edges = [{nose}, {{ name = "side", to = ["{right} mm", "25 mm"] }}, {{ name = "back", to = ["{left} mm", "25 mm"] }}, {{ name = "other" }}]
+[bodies.flat]
+material = "steel"
+thickness = "10 mm"
+[bodies.flat.shape.outline]
+start = ["-30 mm", "-30 mm"]
+edges = [
+  {{ name = "bottom", to = ["30 mm", "-30 mm"] }}, {{ name = "right", to = ["30 mm", "0 mm"] }}, {{ name = "top", to = ["0.8 mm", "0 mm"] }},
+  {{ name = "top", to = ["-0.8 mm", "0 mm"], refine = 80 }}, {{ name = "top", to = ["-30 mm", "0 mm"] }}, {{ name = "left" }},
+]
+[[contacts]]
+first = "cam.nose"
+second = "flat.top"
+friction.coulomb = {{ mu = 0.0 }}
+[[supports]]
+on = "flat.bottom"
+fix = ["x", "y"]
+[[platens]]
+on = "cam.back"
+free = ["y"]
+[[loads]]
+on = "cam.back"
+force = {{ direction = [0, -1], steps = ["3 kN", "4 kN", "5 kN", "6 kN"] }}
+[output]
+fields = "none"
+figures = false
+"#,
+        right = -left
+    );
+    let peak = |results: &Results, step: usize| {
+        let edge = &results.steps[step].edges[0];
+        let peak = Stated::PeakPressure;
+        [peak.value(edge).unwrap(), edge.errors.get(peak).unwrap()]
+    };
+    let truth = solved(&text, &["analysis.accuracy={ peak_pressure = \"0.05 %\" }"]);
+    for step in 0..4 {
+        let force = format!("loads.0.force.steps=[\"{} kN\"]", 3 + step);
+        let accuracy = "analysis.accuracy={ peak_pressure = \"1 %\", contact_extent = \"2 %\" }";
+        let [found, error] = peak(&solved(&text, &[accuracy, &force]), 0);
+        let [true_peak, doubt] = peak(&truth, step);
+        assert!(
+            (found - true_peak).abs() <= error + doubt,
+            "{found} ± {error}, {true_peak} ± {doubt}"
+        );
+        assert!(error < 0.01 * found, "{error}");
     }
 }
