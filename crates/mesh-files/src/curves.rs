@@ -5,7 +5,7 @@ use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, MeshParts, Point};
 use crate::chain;
 use crate::error::CurveError;
 use crate::pieces::recognise_pieces;
-use crate::recognise::{Recognised, recognise};
+use crate::recognise::{Recognised, declared_circle, recognise};
 
 /// Part of the radius by which a mid node is off the circle because of rounding only.
 const ROUNDING: f64 = 1e-14;
@@ -114,6 +114,33 @@ pub fn snap(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
         set.curve = Some(curve);
     }
     Ok(moved)
+}
+
+/// Moves all nodes of edge set `set` onto the circle of least squares through its corner nodes, and stores the circle in the set: where it is known to be one, although its file does not
+/// give it to the digits that [`recognise_set`] asks for. The residual is the farthest way of a node.
+///
+/// # Errors
+/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if its edges do not form one chain; [`CurveError::NoCircle`].
+pub fn put_on_circle(parts: &mut MeshParts, set: &str) -> Result<Recognised, CurveError> {
+    let walk = Walk::of(parts, set)?;
+    let corners = walk.nodes.iter().step_by(walk.order);
+    let corners: Vec<Point> = corners.map(|&node| parts.nodes[node]).collect();
+    let found = declared_circle(&corners, walk.closed);
+    let (Some(mut found), Some(own)) = (found, parts.edge_sets.get_mut(set)) else {
+        let set = set.to_owned();
+        return Err(CurveError::NoCircle { set });
+    };
+    own.curve = Some(found.curve);
+    if let Curve::Arc { centre, radius } = found.curve {
+        for node in walk.nodes {
+            let before = parts.nodes[node];
+            project(&mut parts.nodes[node], centre, radius);
+            let after = parts.nodes[node];
+            let way = (after[0] - before[0]).hypot(after[1] - before[1]);
+            found.residual = found.residual.max(way);
+        }
+    }
+    Ok(found)
 }
 
 /// Moves a point along its ray onto a circle, and returns whether it was not there but for the digits of its file.

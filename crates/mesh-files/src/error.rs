@@ -412,4 +412,12 @@ pub enum CurveError {
         /// The set.
         set: String,
     },
+    /// A chain that is declared to be a circle.
+    #[error(
+        "edge set '{set}' goes around no circle that its corner nodes leave by less than 5 % of the radius"
+    )]
+    NoCircle {
+        /// The set.
+        set: String,
+    },
 }

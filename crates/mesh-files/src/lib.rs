@@ -53,14 +53,14 @@ use stickslip_fem_core::mesh::MeshParts;
 /// The crate of the meshes.
 pub use stickslip_fem_core;
 
-pub use curves::{recognise_set, snap, snap_pieces};
+pub use curves::{put_on_circle, recognise_set, snap, snap_pieces};
 pub use error::{CurveError, ReadError, Unsupported, WriteError};
 pub use foreign::Foreign;
 pub use note::Note;
 pub use pieces::{Piece, recognise_pieces};
 pub use place::Place;
 pub use quality::Flaw;
-pub use recognise::{Recognised, best_circle, recognise};
+pub use recognise::{NEARLY_ROUND, Recognised, best_circle, recognise};
 pub use write::{write_inp, write_msh};
 
 /// A format of mesh files.

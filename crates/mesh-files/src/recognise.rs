@@ -17,6 +17,9 @@ const ON_LINE: f64 = 1e-6;
 /// Part of the radius by which the corner nodes of a circle may be off it.
 const ON_CIRCLE: f64 = 1e-5;
 
+/// Part of its radius by which the corner nodes of an edge may be off a circle that it is declared to be.
+pub const NEARLY_ROUND: f64 = 0.05;
+
 /// Part of the height of the flattest arc over its chord by which nodes may be off it: a crooked line is no arc.
 const OF_HEIGHT: f64 = 0.05;
 
@@ -77,6 +80,23 @@ pub fn best_circle(corners: &[Point]) -> Option<Recognised> {
         },
         residual: corners.iter().map(|&p| fitted.off(p)).fold(0.0, f64::max),
     })
+}
+
+/// The circle of least squares through the `corners` of an edge that is declared to be one, a whole one if the edge is `closed`; `None` if they are farther off it than
+/// [`NEARLY_ROUND`], or do not go around its centre one way.
+pub(crate) fn declared_circle(corners: &[Point], closed: bool) -> Option<Recognised> {
+    let found = best_circle(corners)?;
+    let Curve::Arc { centre, radius } = found.curve else {
+        return None;
+    };
+    let turn = swept(
+        &Circle { centre, radius },
+        corners,
+        closed,
+        std::f64::consts::FRAC_PI_2,
+    )?;
+    let is_whole = (turn - std::f64::consts::TAU).abs() < 1e-6;
+    (found.residual <= NEARLY_ROUND * radius && is_whole == closed).then_some(found)
 }
 
 fn minus(a: Point, b: Point) -> Point {

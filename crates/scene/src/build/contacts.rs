@@ -243,7 +243,7 @@ impl Builder<'_> {
         let uneven = [first, second].into_iter().find_map(|on| {
             let shape = &self.bodies.get(&on.body)?.shape;
             Some(format!(
-                "'{on}' is no circle: {}, and 10⁻⁵ of the radius are allowed; write its coordinates with more digits, or put its nodes on the circle",
+                "'{on}' is no circle: {}, and 10⁻⁵ of the radius are allowed; write its coordinates with more digits, or name it in `circles` of its mesh",
                 shape.why_not_round(&on.set)?
             ))
         });

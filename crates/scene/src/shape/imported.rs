@@ -29,6 +29,9 @@ use crate::units::{Length, UnitName};
 
 const NAME: &str = "mesh";
 
+/// What mends a file.
+const MEND: &str = "correct the mesh in the program that made it, and export it again";
+
 pub(super) const MEANING: &str = "a mesh of Gmsh (`.msh`, text), Abaqus or CalculiX (`.inp`); edges and points as its sets are named";
 
 #[rustfmt::skip]
@@ -36,6 +39,7 @@ pub(super) const ROWS: &[Key] = &[
     text("file", REQUIRED, r#""data/lug.inp""#, "the file, relative to the folder of the scene"),
     words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
     text("elements", NONE, r#""body""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
+    words("circles", "list of edges", NONE, r#"["hole"]"#, "edges that are circles or arcs although their nodes are off one, by up to 5 % of its radius: they are put onto it"),
     words("splines", "list of edges", NONE, r#"["end"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
 ];
 
@@ -46,6 +50,8 @@ pub(crate) struct Keys {
     unit: UnitName<Length>,
     #[serde(skip_serializing_if = "Option::is_none")]
     elements: Option<String>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    circles: Vec<String>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     splines: Vec<String>,
 }
@@ -76,7 +82,6 @@ impl Keys {
 
     /// The mesh, otherwise key, cause and remedy.
     fn given(&self, sizes: &dyn Sizes) -> Result<GivenMesh, [String; 3]> {
-        const MEND: &str = "correct the mesh in the program that made it, and export it again";
         let refused =
             |key: &str, cause: String, remedy: &str| [key.to_owned(), cause, remedy.to_owned()];
         let format = Format::of_name(&self.file).ok_or_else(|| {
@@ -117,16 +122,16 @@ impl Keys {
                 )
             })?,
         };
-        let scale = self.unit.unit().in_base;
         let digest = sha256(format!(
-            "{scale:e} {:?} {:?} {}",
+            "{:e} {:?} {:?} {:?} {}",
+            self.unit.unit().in_base,
             self.elements,
+            self.circles,
             self.splines,
             whole.into_inner()
         ));
-        let invalid = |cause: String| refused("file", cause, MEND);
         let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
-        let plain = placed(own.parts, &self.splines, scale, &mut notes).map_err(invalid)?;
+        let plain = placed(own.parts, self, &mut notes)?;
         let plain = splines::put_on(plain, &self.splines, &mut notes)
             .map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;
         let given = GivenMesh {
@@ -142,6 +147,11 @@ impl Keys {
         };
         given.with(plain).map_err(invalid)
     }
+}
+
+/// Key, cause and remedy of a mesh that cannot be used.
+fn invalid(cause: String) -> [String; 3] {
+    ["file".to_owned(), cause, MEND.to_owned()]
 }
 
 /// What makes a file readable that was not, by `cause`.

@@ -30,6 +30,7 @@ mod yields;
 
 use std::path::Path;
 
+use stickslip::diagnostic::Finding;
 use stickslip::host::HOST;
 use stickslip::model::Model;
 use stickslip::results::{EdgeRow, Results};
@@ -76,6 +77,18 @@ force = { direction = [-1, 0], steps = ["1 kN", "4 kN", "1 kN"] }
 fields = "none"
 figures = false
 "#;
+
+/// Messages and remedies of a scene that is refused.
+fn refusal(folder: &Path, text: &str, changes: &[&str]) -> String {
+    let read = Scene::from_text_on(text, Format::Toml, "scene.toml", folder, changes, HOST);
+    let error = read.map(|_| changes).expect_err("a refusal");
+    let summaries = error.findings().iter().map(Finding::summary);
+    let texts = summaries.map(|own| {
+        let line = own.line.expect("a line");
+        format!("{line}: {} {}", own.message, own.help.unwrap_or_default())
+    });
+    texts.collect::<Vec<_>>().join("\n")
+}
 
 /// A scene with changes as by `--set`, with data files in `base`.
 fn scene_in(base: &Path, text: &str, changes: &[&str]) -> Scene {

@@ -8,9 +8,10 @@ use stickslip::host::HOST;
 use stickslip::results::{Finding, LadderEnd, Results, Stated};
 use stickslip::run::run;
 use stickslip::scene::{Format, Scene};
+use stickslip_fem_core::mesh::Mesh;
 use tempfile::TempDir;
 
-use super::{difference, solved};
+use super::{difference, refusal, solved};
 
 const FIVE: &str = include_str!("../../../../scenes/fasteners-five.toml");
 const LUG: &str = include_str!("../../../../scenes/lug-oblique.toml");
@@ -246,6 +247,61 @@ fn a_mesh_that_was_written_gives_the_same_numbers() {
         for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
             assert!(apart(own[0], other[0]) < 1e-6, "{name}: {own:?} {other:?}");
         }
+    }
+}
+
+/// Nodes of a hole that its file rounds to 1e-3 of the radius press as those of the circle, once it is declared to be one.
+#[test]
+fn a_declared_circle_gets_its_nodes() {
+    // The best circle is not quite where the pull goes through.
+    let guided = |shape: &str| {
+        pinned(shape).replace(
+            "[[loads]]",
+            "[[supports]]\non = \"plate.left\"\nfix = [\"y\"]\n[[loads]]",
+        )
+    };
+    let strip = solved(&guided(STRIP), &[""; 0]);
+    let mut bodies = strip.bodies.iter();
+    let plate = bodies.find(|body| body.name == "plate").unwrap();
+    let mesh = plate.mesh.as_deref().unwrap();
+    let hole = mesh.edge_path("hole").unwrap().nodes;
+    let mut parts = mesh.clone().into_parts();
+    for (k, &node) in hole.iter().enumerate() {
+        let off = 1.0 + 1e-3 * (12.9898 * (k * k) as f64).sin();
+        parts.nodes[node] = parts.nodes[node].map(|x| off * x);
+    }
+    let rough = Mesh::new(parts).unwrap();
+    let folder = TempDir::new().unwrap();
+    let text = stickslip_mesh_files::write_msh(&rough).unwrap();
+    fs::write(folder.path().join("rough.msh"), text).unwrap();
+    let text = |circles: &str| {
+        guided(&format!(
+            r#"mesh = {{ file = "rough.msh", unit = "mm"{circles} }}"#
+        ))
+    };
+    let scene = |circles: &str| read(&text(circles), folder.path());
+    let no_circle = refusal(folder.path(), &text(""), &[]);
+    assert!(no_circle.contains("name it in `circles`"), "{no_circle}");
+    for (circles, expected) in [
+        (r#", circles = ["left"]"#, "goes around no circle"),
+        (r#", circles = ["bore"]"#, "no edge set 'bore'"),
+    ] {
+        let refused = scene(circles).err().unwrap_or_default();
+        assert!(refused.contains(expected), "{refused}");
+    }
+    let found = run(&scene(r#", circles = ["hole"]"#).unwrap(), &mut |_| {}).unwrap();
+    let note = found.findings.iter().find_map(|finding| match finding {
+        Finding::MeshFile { notes: lines, .. } => Some(lines.concat()),
+        _ => None,
+    });
+    let note = note.unwrap_or_default();
+    assert!(
+        note.contains("nodes of 'hole' were put onto a circle"),
+        "{note}"
+    );
+    // The best circle is off by some 1e-4 of the radius, beside a clearance of 2e-3.
+    for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
+        assert!(apart(own[0], other[0]) < 1e-2, "{own:?} {other:?}");
     }
 }
 

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use stickslip_fem_core::mesh::{self, EdgePath, Mesh, Point};
-use stickslip_mesh_files::{best_circle, recognise_pieces};
+use stickslip_mesh_files::{NEARLY_ROUND, best_circle, recognise_pieces};
 
 use super::splines::spline;
 use crate::shape::curve::Curve;
@@ -33,8 +33,6 @@ pub(super) fn edges<'a>(
 
 /// By how much the closed chain `path` of the set `name` is no circle, if it is nearly one.
 pub(super) fn uneven(mesh: &Mesh, name: &str, path: &EdgePath) -> Option<String> {
-    /// Part of its radius by which a chain may leave a circle that it is meant to be.
-    const NEARLY: f64 = 0.05;
     if mesh.edge_set(name).ok()?.curve.is_some() {
         return None;
     }
@@ -44,7 +42,7 @@ pub(super) fn uneven(mesh: &Mesh, name: &str, path: &EdgePath) -> Option<String>
     let mesh::Curve::Arc { radius, .. } = found.curve else {
         return None;
     };
-    (found.residual <= NEARLY * radius).then(|| {
+    (found.residual <= NEARLY_ROUND * radius).then(|| {
         format!(
             "its nodes leave their best circle, of radius {radius:.6} mm, by up to {:.2e} mm",
             found.residual

@@ -1,23 +1,32 @@
 //! The mesh of a file on the lines, circles and arcs that its edges approximate.
 
 use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
-use stickslip_mesh_files::{recognise_set, snap, snap_pieces};
+use stickslip_mesh_files::{put_on_circle, recognise_set, snap, snap_pieces};
 
-/// The mesh of a file in mm, with the known curves of its edges but `splines`, and its mid nodes on them; `notes` get what was moved.
+use super::{Keys, invalid};
+
+/// Part of the radius by which nodes may be off a circle because of the digits of their file.
+const DIGITS: f64 = 1e-6;
+
+/// The mesh of a file in mm, with the curves of its edges that are declared circles or found, of all but splines, and its nodes on them; `notes` get what was moved.
+///
+/// # Errors
+/// The key, what is wrong, and what to do.
 pub(super) fn placed(
     mut parts: MeshParts,
-    splines: &[String],
-    scale: f64,
+    keys: &Keys,
     notes: &mut Vec<String>,
-) -> Result<Mesh, String> {
+) -> Result<Mesh, [String; 3]> {
+    let scale = keys.unit.unit().in_base;
     for node in &mut parts.nodes {
         *node = node.map(|x| scale * x);
     }
+    on_circles(&mut parts, &keys.circles, notes)?;
     let names: Vec<String> = parts.edge_sets.keys().cloned().collect();
-    for name in &names {
+    for name in names.iter().filter(|name| !keys.circles.contains(name)) {
         match recognise_set(&parts, name).map(|found| found.curve) {
             Ok(mesh::Curve::Arc { radius, .. }) => {
-                let moved = snap(&mut parts, name).map_err(|cause| cause.to_string())?;
+                let moved = snap(&mut parts, name).map_err(|cause| invalid(cause.to_string()))?;
                 if moved > 0 {
                     notes.push(format!(
                         "{moved} mid nodes of '{name}' were put from chords onto its circle of radius {radius:.6} mm"
@@ -29,7 +38,7 @@ pub(super) fn placed(
                     set.curve = Some(curve);
                 }
             }
-            Err(_) if splines.contains(name) => {}
+            Err(_) if keys.splines.contains(name) => {}
             Err(_) => {
                 let moved = snap_pieces(&mut parts, name).unwrap_or_default();
                 if moved > 0 {
@@ -40,5 +49,29 @@ pub(super) fn placed(
             }
         }
     }
-    Mesh::new(parts).map_err(|cause| cause.to_string())
+    Mesh::new(parts).map_err(|cause| invalid(cause.to_string()))
+}
+
+/// Puts the edges `circles` onto their best circles.
+fn on_circles(
+    parts: &mut MeshParts,
+    circles: &[String],
+    notes: &mut Vec<String>,
+) -> Result<(), [String; 3]> {
+    for name in circles {
+        let found = put_on_circle(parts, name).map_err(|cause| {
+            let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
+            let remedy = format!("edges of the file: {}", known.join(", "));
+            ["circles".to_owned(), cause.to_string(), remedy]
+        })?;
+        if let mesh::Curve::Arc { radius, .. } = found.curve
+            && found.residual > DIGITS * radius
+        {
+            notes.push(format!(
+                "the nodes of '{name}' were put onto a circle of radius {radius:.6} mm, by up to {:.2e} mm",
+                found.residual
+            ));
+        }
+    }
+    Ok(())
 }

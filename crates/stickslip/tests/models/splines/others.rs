@@ -4,16 +4,13 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::Path;
 
-use stickslip::diagnostic::Finding;
-use stickslip::host::HOST;
 use stickslip::model::Model;
 use stickslip::results::Results;
-use stickslip::scene::{Format, Scene};
 use stickslip_fem_core::mesh::Mesh;
 use tempfile::TempDir;
 
 use super::{close, edge, nose, place, points, pressed, spline};
-use crate::{results, scene, scene_in, solved};
+use crate::{refusal, results, scene, scene_in, solved};
 
 /// The strip of 40 mm with a circle of radius 10 mm cut out of it as splines of these names, each through three points between its ends, under 100 MPa of tension.
 fn pulled(names: &[&str], reported: &[&str]) -> Results {
@@ -81,18 +78,6 @@ fn a_circle_of_splines_concentrates_stresses_as_a_hole_does() {
         close(edge.parameter[0], -half, 1e-6);
         close(edge.parameter[edge.parameter.len() - 1], half, 1e-6);
     }
-}
-
-/// Messages and remedies of a scene that is refused.
-fn refusal(folder: &Path, text: &str, changes: &[&str]) -> String {
-    let read = Scene::from_text_on(text, Format::Toml, "scene.toml", folder, changes, HOST);
-    let error = read.map(|_| changes).expect_err("a refusal");
-    let summaries = error.findings().iter().map(Finding::summary);
-    let texts = summaries.map(|own| {
-        let line = own.line.expect("a line");
-        format!("{line}: {} {}", own.message, own.help.unwrap_or_default())
-    });
-    texts.collect::<Vec<_>>().join("\n")
 }
 
 #[test]
