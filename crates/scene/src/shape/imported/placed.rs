@@ -1,7 +1,7 @@
 //! The mesh of a file on the lines, circles and arcs that its edges approximate.
 
 use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
-use stickslip_mesh_files::{put_on_circle, recognise_set, snap, snap_pieces};
+use stickslip_mesh_files::{CurveError, put_on_circle, recognise_set, snap, snap_pieces};
 
 use super::{Keys, invalid};
 
@@ -61,7 +61,10 @@ fn on_circles(
     for name in circles {
         let found = put_on_circle(parts, name).map_err(|cause| {
             let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
-            let remedy = format!("edges of the file: {}", known.join(", "));
+            let remedy = match cause {
+                CurveError::MissingSet { .. } => format!("edges of the file: {}", known.join(", ")),
+                _ => format!("remove '{name}' from `circles`"),
+            };
             ["circles".to_owned(), cause.to_string(), remedy]
         })?;
         if let mesh::Curve::Arc { radius, .. } = found.curve
