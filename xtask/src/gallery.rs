@@ -71,7 +71,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
     std::fs::create_dir_all(&folder)?;
     let only = options.only.as_deref().unwrap_or_default();
     let mut page = String::from(
-        "# Gallery\n\nEvery shipped scene with its sketch and a figure, variants with a figure alone. Sketches show bodies, edges in contact (orange), what is held (green) and loads (blue). `cargo xtask gallery` makes this page.\n",
+        "# Gallery\n\nEvery scene of `scenes` itself with its sketch and a figure, variants with a figure alone. Sketches show bodies, edges in contact (orange), what is held (green) and loads (blue). `cargo xtask gallery` makes this page.\n",
     );
     for (name, figure) in SHOWN.into_iter().filter(|(name, _)| name.contains(only)) {
         eprintln!("{name}");
@@ -90,9 +90,9 @@ pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
             write_atomic(&folder.join(format!("{name}-{kind}.png")), &picture)?;
             write!(row, " ![{}]({name}-{kind}.png) |", caption(prefix))?;
         }
-        let scene: toml::Table = toml::from_str(&std::fs::read_to_string(&file)?)?;
+        let table: toml::Table = toml::from_str(&std::fs::read_to_string(&file)?)?;
         let text = |key: &str| {
-            scene
+            table
                 .get(key)
                 .and_then(toml::Value::as_str)
                 .unwrap_or_default()
@@ -115,10 +115,9 @@ pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
 
 /// Whether a scene is one before it with other values.
 fn is_variant(name: &str) -> bool {
-    let of = |(other, _): &(&str, &str)| {
-        (name.strip_prefix(other)).is_some_and(|rest| rest.starts_with('-'))
-    };
-    SHOWN.iter().any(of)
+    let before = SHOWN.iter().map(|(other, _)| other);
+    let mut before = before.take_while(|other| **other != name);
+    before.any(|other| (name.strip_prefix(other)).is_some_and(|rest| rest.starts_with('-')))
 }
 
 /// Whether every scene beside the folders of `scenes` is shown.
@@ -169,7 +168,7 @@ fn caption(figure: &str) -> &'static str {
         Some(SKETCH) => "Sketch of the scene",
         Some("pressure") => "Contact pressure in every load step",
         Some("shear") => "Friction traction in every load step",
-        Some("friction") => "Friction force in every load step",
+        Some("friction") => "Friction over pressure through the history",
         Some("hoop") => "Stress along the edge in every load step",
         Some("map") => "Where it sticks, slips and is open",
         Some("stresses") => "Stresses along the edge",

@@ -1,11 +1,12 @@
 //! Curves of the edge sets of a mesh: which one a set approximates, and its mid nodes moved onto it.
 
-use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, MeshParts, Point};
+use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, Mesh, MeshParts, Point};
 
 use crate::chain;
 use crate::error::CurveError;
 use crate::pieces::recognise_pieces;
-use crate::recognise::{Recognised, declared_circle, recognise};
+use crate::quality;
+use crate::recognise::{Recognised, nearly_circle, recognise};
 
 /// Part of the radius by which a mid node is off the circle because of rounding only.
 const ROUNDING: f64 = 1e-14;
@@ -44,6 +45,10 @@ impl Walk {
             return Err(CurveError::NoChain { set });
         };
         let order = first.kind.order();
+        if edges.iter().any(|edge| edge.kind.order() != order) {
+            let set = set.to_owned();
+            return Err(CurveError::NoChain { set });
+        }
         let mut nodes = Vec::with_capacity(order * edges.len() + 1);
         let mut last = None;
         // The chain holds positions of edges.
@@ -116,31 +121,38 @@ pub fn snap(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
     Ok(moved)
 }
 
-/// Moves all nodes of edge set `set` onto the circle of least squares through its corner nodes, and stores the circle in the set: where it is known to be one, although its file does not
-/// give it to the digits that [`recognise_set`] asks for. The residual is the farthest way of a node.
+/// Moves all nodes of edge set `set`, a closed chain, onto the circle of least squares through its corner nodes ([`nearly_circle`]), and stores the circle in the set: where it is known to
+/// be one, although its file does not give it to the digits that [`recognise_set`] asks for. Returns the circle, with the farthest way of a corner node, and how many nodes were moved.
 ///
 /// # Errors
-/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if its edges do not form one chain; [`CurveError::NoCircle`].
-pub fn put_on_circle(parts: &mut MeshParts, set: &str) -> Result<Recognised, CurveError> {
+/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if its edges do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Squeezed`] if a cell folds, or gets
+/// a shape for which a file is refused.
+pub fn put_on_circle(parts: &mut MeshParts, set: &str) -> Result<(Recognised, usize), CurveError> {
+    let name = || set.to_owned();
     let walk = Walk::of(parts, set)?;
+    if !walk.closed {
+        return Err(CurveError::Open { set: name() });
+    }
     let corners = walk.nodes.iter().step_by(walk.order);
-    let corners: Vec<Point> = corners.map(|&node| parts.nodes[node]).collect();
-    let found = declared_circle(&corners, walk.closed);
-    let (Some(mut found), Some(own)) = (found, parts.edge_sets.get_mut(set)) else {
-        let set = set.to_owned();
-        return Err(CurveError::NoCircle { set });
-    };
-    own.curve = Some(found.curve);
+    let corners: Option<Vec<Point>> = corners.map(|&k| parts.nodes.get(k).copied()).collect();
+    let found = corners.and_then(|corners| nearly_circle(&corners));
+    let found = found.ok_or_else(|| CurveError::NoCircle { set: name() })?;
+    let mut moved = 0;
     if let Curve::Arc { centre, radius } = found.curve {
         for node in walk.nodes {
-            let before = parts.nodes[node];
-            project(&mut parts.nodes[node], centre, radius);
-            let after = parts.nodes[node];
-            let way = (after[0] - before[0]).hypot(after[1] - before[1]);
-            found.residual = found.residual.max(way);
+            if let Some(point) = parts.nodes.get_mut(node) {
+                moved += usize::from(project(point, centre, radius));
+            }
         }
     }
-    Ok(found)
+    let mut flaws = quality::of_cells(&parts.nodes, &parts.blocks).flatten();
+    if flaws.any(quality::Flaw::is_refused) || Mesh::new(parts.clone()).is_err() {
+        return Err(CurveError::Squeezed { set: name() });
+    }
+    if let Some(own) = parts.edge_sets.get_mut(set) {
+        own.curve = Some(found.curve);
+    }
+    Ok((found, moved))
 }
 
 /// Moves a point along its ray onto a circle, and returns whether it was not there but for the digits of its file.

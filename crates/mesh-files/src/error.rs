@@ -412,11 +412,25 @@ pub enum CurveError {
         /// The set.
         set: String,
     },
-    /// A chain that is declared to be a circle.
+    /// A chain with ends that is declared to be a circle.
+    #[error("edge set '{set}' is open, and a circle has no ends")]
+    Open {
+        /// The set.
+        set: String,
+    },
+    /// A closed chain that is declared to be a circle.
     #[error(
-        "edge set '{set}' goes around no circle that its corner nodes leave by less than 5 % of the radius"
+        "the corner nodes of edge set '{set}' do not go around one circle, within 5 % of its radius and at most 50° from one to the next"
     )]
     NoCircle {
+        /// The set.
+        set: String,
+    },
+    /// A circle onto which its nodes cannot be put.
+    #[error(
+        "cells along edge set '{set}' lose their shape where its nodes are put onto its circle"
+    )]
+    Squeezed {
         /// The set.
         set: String,
     },

@@ -60,7 +60,7 @@ pub use note::Note;
 pub use pieces::{Piece, recognise_pieces};
 pub use place::Place;
 pub use quality::Flaw;
-pub use recognise::{NEARLY_ROUND, Recognised, best_circle, recognise};
+pub use recognise::{Recognised, nearly_circle, recognise};
 pub use write::{write_inp, write_msh};
 
 /// A format of mesh files.

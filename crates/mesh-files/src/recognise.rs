@@ -9,6 +9,8 @@
 //!
 //! Sources: Kåsa (1976), *IEEE Trans. Instrum. Meas.* 25, 8–14; Chernov, *Circular and Linear Regression* (2010), chapters 4 and 5.
 
+use std::f64::consts::TAU;
+
 use stickslip_fem_core::mesh::{Curve, Point};
 
 /// Part of its length by which the nodes of a line may be off it.
@@ -17,8 +19,8 @@ const ON_LINE: f64 = 1e-6;
 /// Part of the radius by which the corner nodes of a circle may be off it.
 const ON_CIRCLE: f64 = 1e-5;
 
-/// Part of its radius by which the corner nodes of an edge may be off a circle that it is declared to be.
-pub const NEARLY_ROUND: f64 = 0.05;
+/// Part of its radius by which corner nodes may be off a circle that they are declared to lie on.
+const NEARLY: f64 = 0.05;
 
 /// Part of the height of the flattest arc over its chord by which nodes may be off it: a crooked line is no arc.
 const OF_HEIGHT: f64 = 0.05;
@@ -70,33 +72,20 @@ pub fn recognise(
     line.or_else(|| circle(&points, closed, order))
 }
 
-/// The circle of least squares through `corners`, however far they are off it; `None` of points on a line.
-pub fn best_circle(corners: &[Point]) -> Option<Recognised> {
+/// The circle of least squares through the `corners` of a closed chain, by a part of whose radius they may be off it that [`recognise`] does not accept: 5 %. None of other chains,
+/// and of corners that do not go around its centre in steps of at most 50°.
+pub fn nearly_circle(corners: &[Point]) -> Option<Recognised> {
     let fitted = fit(corners)?;
-    Some(Recognised {
+    let residual = corners.iter().map(|&p| fitted.off(p)).fold(0.0, f64::max);
+    let turn = swept(&fitted, corners, true, LARGEST_TURN[0])?;
+    let is_nearly = residual <= NEARLY * fitted.radius && (turn - TAU).abs() < 1e-6;
+    is_nearly.then_some(Recognised {
         curve: Curve::Arc {
             centre: fitted.centre,
             radius: fitted.radius,
         },
-        residual: corners.iter().map(|&p| fitted.off(p)).fold(0.0, f64::max),
+        residual,
     })
-}
-
-/// The circle of least squares through the `corners` of an edge that is declared to be one, a whole one if the edge is `closed`; `None` if they are farther off it than
-/// [`NEARLY_ROUND`], or do not go around its centre one way.
-pub(crate) fn declared_circle(corners: &[Point], closed: bool) -> Option<Recognised> {
-    let found = best_circle(corners)?;
-    let Curve::Arc { centre, radius } = found.curve else {
-        return None;
-    };
-    let turn = swept(
-        &Circle { centre, radius },
-        corners,
-        closed,
-        std::f64::consts::FRAC_PI_2,
-    )?;
-    let is_whole = (turn - std::f64::consts::TAU).abs() < 1e-6;
-    (found.residual <= NEARLY_ROUND * radius && is_whole == closed).then_some(found)
 }
 
 fn minus(a: Point, b: Point) -> Point {
@@ -164,12 +153,12 @@ fn circle(points: &[Point], closed: bool, order: usize) -> Option<Recognised> {
     let largest = LARGEST_TURN[usize::from(is_curved)];
     let total = swept(&fitted, evidence, closed, largest)?;
     let is_arc = if closed {
-        evidence.len() >= 3 && (total - std::f64::consts::TAU).abs() < 1e-6
+        evidence.len() >= 3 && (total - TAU).abs() < 1e-6
     } else {
         let height = fitted.radius * (1.0 - (0.5 * total.min(std::f64::consts::PI)).cos());
         points.len() >= 4
             && corners.len() >= 3
-            && (LEAST_TURN..std::f64::consts::TAU).contains(&total)
+            && (LEAST_TURN..TAU).contains(&total)
             && residual <= OF_HEIGHT * height
     };
     let middles_fit = is_curved || middles_on(&fitted, points, order);

@@ -6,8 +6,10 @@ use stickslip_fem_core::generate::{
     Disk, Extent, Generate, Growth, Outline, PlateWithHole, Rectangle, uniform_angles,
 };
 use stickslip_fem_core::material::PlaneState;
-use stickslip_fem_core::mesh::{EdgeRef, ElementKind, Mesh, MeshParts};
-use stickslip_mesh_files::{Format, WriteError, snap, write_inp, write_msh};
+use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, Mesh, MeshParts, Point};
+use stickslip_mesh_files::{
+    CurveError, Format, WriteError, put_on_circle, recognise_set, snap, write_inp, write_msh,
+};
 
 use super::{ends, imported};
 
@@ -189,5 +191,83 @@ fn mid_nodes_snap_from_chords_to_the_circle() {
         assert_eq!(snap(&mut chords, "hole"), Ok(0));
         assert!(snap(&mut chords, "no such set").is_err());
         assert_eq!(snap(&mut chords, "left"), Ok(0));
+    }
+}
+
+/// Corners of a hole a thousandth off, mid nodes on the chords between them: all are put onto the circle, and nothing else moves.
+#[test]
+fn a_declared_circle_gets_all_its_nodes() {
+    for kind in [ElementKind::Q4, ElementKind::T6, ElementKind::Q8] {
+        let mesh = meshes(kind).swap_remove(0);
+        let exact = mesh.clone().into_parts();
+        let path = mesh.edge_path("hole").expect("a hole");
+        let Some(Curve::Arc { centre, radius }) = exact.edge_sets["hole"].curve else {
+            panic!("no circle");
+        };
+        let off = |[x, y]: Point| (x - centre[0]).hypot(y - centre[1]) - radius;
+        let moved_by =
+            |point: Point, part: f64| [0, 1].map(|k| point[k] + part * (point[k] - centre[k]));
+        let mut rough = exact.clone();
+        rough.edge_sets.get_mut("hole").expect("a hole").curve = None;
+        let corners: Vec<usize> = path.nodes.iter().step_by(path.order).copied().collect();
+        for (k, &node) in corners.iter().enumerate() {
+            let part = if k % 2 == 0 { 1e-3 } else { -1e-3 };
+            rough.nodes[node] = moved_by(rough.nodes[node], part);
+        }
+        for edge in path.nodes.chunks(path.order).filter(|edge| edge.len() > 1) {
+            let at = corners
+                .iter()
+                .position(|&node| node == edge[0])
+                .expect("a corner");
+            let [a, b] = [edge[0], corners[(at + 1) % corners.len()]].map(|node| rough.nodes[node]);
+            rough.nodes[edge[1]] = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        }
+        assert!(recognise_set(&rough, "hole").is_err());
+        let before = rough.clone();
+        let (found, moved) = put_on_circle(&mut rough, "hole").expect("a circle");
+        assert_eq!(moved, path.nodes.len());
+        // Corners are even in number, so that the best circle stays but for the square of the part.
+        assert!((found.residual / radius - 1e-3).abs() < 1e-5, "{found:?}");
+        let Some(Curve::Arc { radius: put, .. }) = rough.edge_sets["hole"].curve else {
+            panic!("no circle");
+        };
+        assert!((put / radius - 1.0).abs() < 1e-5);
+        for (node, (&own, &old)) in rough.nodes.iter().zip(&before.nodes).enumerate() {
+            if path.nodes.contains(&node) {
+                assert!(off(own).abs() < 1e-5 * radius, "{own:?}");
+            } else {
+                assert_eq!(own, old);
+            }
+        }
+        let refused =
+            |parts: &mut MeshParts, set: &str| put_on_circle(parts, set).expect_err("a refusal");
+        let set = || "hole".to_owned();
+        let open = refused(&mut rough, "left");
+        assert_eq!(open, CurveError::Open { set: "left".into() });
+        // An ellipse with axes in the ratio of 1.15.
+        let mut oval = exact.clone();
+        for node in &mut oval.nodes {
+            node[0] = centre[0] + 1.15 * (node[0] - centre[0]);
+        }
+        assert_eq!(
+            refused(&mut oval, "hole"),
+            CurveError::NoCircle { set: set() }
+        );
+        // A node in the hole whose neighbour in the plate follows it: the way back passes that.
+        let cells = &exact.blocks[0].connectivity;
+        let cell = cells
+            .chunks(kind.nodes())
+            .find(|cell| cell.contains(&corners[0]));
+        let mut inner = cell.expect("a cell").iter().take(kind.edges());
+        let inner = *inner
+            .find(|node| !path.nodes.contains(node))
+            .expect("a node");
+        let mut thin = exact.clone();
+        thin.nodes[inner] = moved_by(thin.nodes[corners[0]], -0.01);
+        thin.nodes[corners[0]] = moved_by(thin.nodes[corners[0]], -0.04);
+        assert_eq!(
+            refused(&mut thin, "hole"),
+            CurveError::Squeezed { set: set() }
+        );
     }
 }

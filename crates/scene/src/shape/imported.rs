@@ -39,7 +39,7 @@ pub(super) const ROWS: &[Key] = &[
     text("file", REQUIRED, r#""data/lug.inp""#, "the file, relative to the folder of the scene"),
     words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
     text("elements", NONE, r#""body""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
-    words("circles", "list of edges", NONE, r#"["hole"]"#, "edges that are circles or arcs although their nodes are off one, by up to 5 % of its radius: they are put onto it"),
+    words("circles", "list of edges", NONE, r#"["hole"]"#, "closed edges that are circles, although their nodes are off them by up to 5 % of the radius: they are put onto them"),
     words("splines", "list of edges", NONE, r#"["end"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
 ];
 
@@ -123,11 +123,13 @@ impl Keys {
             })?,
         };
         let digest = sha256(format!(
-            "{:e} {:?} {:?} {:?} {}",
+            "{:e} {:?} {:?}{} {}",
             self.unit.unit().in_base,
             self.elements,
-            self.circles,
             self.splines,
+            (self.circles.iter())
+                .map(|name| format!(" circle {name:?}"))
+                .collect::<String>(),
             whole.into_inner()
         ));
         let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();

@@ -250,7 +250,7 @@ fn a_mesh_that_was_written_gives_the_same_numbers() {
     }
 }
 
-/// Nodes of a hole that its file rounds to 1e-3 of the radius press as those of the circle, once it is declared to be one.
+/// Nodes of a hole that its file has off by 1e-3 of the radius press as those of the circle, once it is declared to be one.
 #[test]
 fn a_declared_circle_gets_its_nodes() {
     // The best circle is not quite where the pull goes through.
@@ -283,7 +283,7 @@ fn a_declared_circle_gets_its_nodes() {
     let no_circle = refusal(folder.path(), &text(""), &[]);
     assert!(no_circle.contains("name it in `circles`"), "{no_circle}");
     for (circles, expected) in [
-        (r#", circles = ["left"]"#, "goes around no circle"),
+        (r#", circles = ["left"]"#, "edge set 'left' is open"),
         (r#", circles = ["bore"]"#, "no edge set 'bore'"),
     ] {
         let refused = scene(circles).err().unwrap_or_default();
@@ -296,7 +296,7 @@ fn a_declared_circle_gets_its_nodes() {
     });
     let note = note.unwrap_or_default();
     assert!(
-        note.contains("nodes of 'hole' were put onto a circle"),
+        note.contains("nodes of 'hole' were put onto its circle of radius 5.00"),
         "{note}"
     );
     // The best circle is off by some 1e-4 of the radius, beside a clearance of 2e-3.

@@ -160,12 +160,17 @@ fields = "none"
     let shape =
         "shape.plate_with_hole = { hole_radius = \"3 mm\", outline.ring.radius = \"5 mm\" }";
     assert!(text.contains(shape));
-    let own = |angle: &str| {
+    let own = |angle: &str, body: &str| {
         let read = format!(
             "shape.mesh = {{ file = \"bushing.inp\", unit = \"mm\" }}\nangle = \"{angle}\""
         );
         let scene = scene_in(folder.path(), &text.replace(shape, &read), &[whole]);
-        mesh_of(&Model::build(&scene).unwrap(), "plate")
+        mesh_of(&Model::build(&scene).unwrap(), body)
     };
-    assert_eq!(own("0 deg").nodes(), own("30 deg").nodes());
+    let [still, turned] = ["0 deg", "30 deg"];
+    assert_ne!(
+        own(still, "bushing").nodes(),
+        own(turned, "bushing").nodes()
+    );
+    assert_eq!(own(still, "plate").nodes(), own(turned, "plate").nodes());
 }

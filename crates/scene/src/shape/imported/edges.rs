@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use stickslip_fem_core::mesh::{self, EdgePath, Mesh, Point};
-use stickslip_mesh_files::{NEARLY_ROUND, best_circle, recognise_pieces};
+use stickslip_mesh_files::{nearly_circle, recognise_pieces};
 
 use super::splines::spline;
 use crate::shape::curve::Curve;
@@ -38,16 +38,14 @@ pub(super) fn uneven(mesh: &Mesh, name: &str, path: &EdgePath) -> Option<String>
     }
     let corners = path.nodes.iter().step_by(path.order);
     let corners: Vec<Point> = corners.map(|&node| mesh.nodes()[node]).collect();
-    let found = best_circle(&corners)?;
+    let found = nearly_circle(&corners)?;
     let mesh::Curve::Arc { radius, .. } = found.curve else {
         return None;
     };
-    (found.residual <= NEARLY_ROUND * radius).then(|| {
-        format!(
-            "its nodes leave their best circle, of radius {radius:.6} mm, by up to {:.2e} mm",
-            found.residual
-        )
-    })
+    Some(format!(
+        "its nodes leave their best circle, of radius {radius:.6} mm, by up to {:.2e} mm",
+        found.residual
+    ))
 }
 
 /// The edge of the set `name`, whose edges form the chain `path` if they form one.

@@ -5,9 +5,6 @@ use stickslip_mesh_files::{CurveError, put_on_circle, recognise_set, snap, snap_
 
 use super::{Keys, invalid};
 
-/// Part of the radius by which nodes may be off a circle because of the digits of their file.
-const DIGITS: f64 = 1e-6;
-
 /// The mesh of a file in mm, with the curves of its edges that are declared circles or found, of all but splines, and its nodes on them; `notes` get what was moved.
 ///
 /// # Errors
@@ -59,19 +56,21 @@ fn on_circles(
     notes: &mut Vec<String>,
 ) -> Result<(), [String; 3]> {
     for name in circles {
-        let found = put_on_circle(parts, name).map_err(|cause| {
+        let (found, moved) = put_on_circle(parts, name).map_err(|cause| {
             let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
             let remedy = match cause {
                 CurveError::MissingSet { .. } => format!("edges of the file: {}", known.join(", ")),
-                _ => format!("remove '{name}' from `circles`"),
+                CurveError::NoChain { .. } => "give each closed edge a name of its own".to_owned(),
+                CurveError::Open { .. } => format!("name '{name}' in `splines` instead"),
+                _ => format!(
+                    "remove '{name}' from `circles`, or make the mesh again with the circle"
+                ),
             };
             ["circles".to_owned(), cause.to_string(), remedy]
         })?;
-        if let mesh::Curve::Arc { radius, .. } = found.curve
-            && found.residual > DIGITS * radius
-        {
+        if let (mesh::Curve::Arc { radius, .. }, 1..) = (found.curve, moved) {
             notes.push(format!(
-                "the nodes of '{name}' were put onto a circle of radius {radius:.6} mm, by up to {:.2e} mm",
+                "{moved} nodes of '{name}' were put onto its circle of radius {radius:.6} mm, from which its corners were up to {:.2e} mm away",
                 found.residual
             ));
         }
