@@ -24,8 +24,8 @@ pub struct Category {
     pub color: Color,
 }
 
-/// Draws the categories with an index in `met` below `top`, in lines of `width`, of those with one name the first; returns where
-/// they end.
+/// Draws the categories with an index in `met` below `top`, in lines of `width`, of those with one name and colour the first; returns
+/// where they end.
 pub(crate) fn draw(
     canvas: &mut Canvas,
     categories: &[Category],
@@ -35,12 +35,13 @@ pub(crate) fn draw(
 ) -> f64 {
     let style = TextStyle::new(TICK_SIZE, INK, Anchor::Start);
     let [mut left, mut line] = [OUTER, top];
-    let mut named: Vec<&str> = Vec::new();
+    let mut named: Vec<(&str, Color)> = Vec::new();
     for (index, category) in categories.iter().enumerate() {
-        if !met.contains(&index) || named.contains(&category.label.as_str()) {
+        let name = (category.label.as_str(), category.color);
+        if !met.contains(&index) || named.contains(&name) {
             continue;
         }
-        named.push(&category.label);
+        named.push(name);
         let marked = text::width(&category.mark, MARK_SIZE, Weight::Regular);
         let swatch = SWATCH.max(marked + 8.0);
         let needed = swatch + 6.0 + text::width(&category.label, TICK_SIZE, Weight::Regular);

@@ -346,6 +346,21 @@ mod tests {
     }
 
     #[test]
+    fn a_legend_names_each_colour_once() {
+        let named = |colors: &[usize]| {
+            let mut plot = PlanePlot::new("Scene", "mm", WINDOW);
+            let marks = |&color: &usize| Marks {
+                points: vec![[1.0, 0.5]],
+                ..Marks::new("held", Color::category(color))
+            };
+            plot.marks = colors.iter().map(marks).collect();
+            plot.render().unwrap().as_str().matches("held").count()
+        };
+        assert_eq!(named(&[1, 2, 1]), 2 * named(&[1]));
+        assert_eq!(named(&[1, 1]), named(&[1]));
+    }
+
+    #[test]
     fn what_cannot_be_drawn_is_refused() {
         let plot = PlanePlot::new("p", "mm", WINDOW);
         let uneven = |values, columns| {

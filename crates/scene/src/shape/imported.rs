@@ -19,7 +19,7 @@ use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 use stickslip_mesh_files::{Coincident, Format, read_with};
 
 use self::edges::{edges, uneven};
-use self::placed::placed;
+use self::placed::{placed, put_on_circles};
 use super::Shape;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
 use crate::declaration::{Key, NONE, REQUIRED, text, words};
@@ -29,9 +29,6 @@ use crate::units::{Length, UnitName};
 
 const NAME: &str = "mesh";
 
-/// What mends a file.
-const MEND: &str = "correct the mesh in the program that made it, and export it again";
-
 pub(super) const MEANING: &str = "a mesh of Gmsh (`.msh`, text), Abaqus or CalculiX (`.inp`); edges and points as its sets are named";
 
 #[rustfmt::skip]
@@ -39,7 +36,7 @@ pub(super) const ROWS: &[Key] = &[
     text("file", REQUIRED, r#""data/lug.inp""#, "the file, relative to the folder of the scene"),
     words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
     text("elements", NONE, r#""body""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
-    words("circles", "list of edges", NONE, r#"["hole"]"#, "closed edges that are circles, although their nodes are off them by up to 5 % of the radius: they are put onto them"),
+    words("circles", "list of edges", NONE, r#"["bolt"]"#, "closed edges that are circles, although their nodes are off them by up to 5 % of the radius: they are put onto them"),
     words("splines", "list of edges", NONE, r#"["end"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
 ];
 
@@ -82,6 +79,7 @@ impl Keys {
 
     /// The mesh, otherwise key, cause and remedy.
     fn given(&self, sizes: &dyn Sizes) -> Result<GivenMesh, [String; 3]> {
+        const MEND: &str = "correct the mesh in the program that made it, and export it again";
         let refused =
             |key: &str, cause: String, remedy: &str| [key.to_owned(), cause, remedy.to_owned()];
         let format = Format::of_name(&self.file).ok_or_else(|| {
@@ -132,8 +130,15 @@ impl Keys {
                 .collect::<String>(),
             whole.into_inner()
         ));
+        let invalid = |cause: String| refused("file", cause, MEND);
         let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
-        let plain = placed(own.parts, self, &mut notes)?;
+        let (mut parts, scale) = (own.parts, self.unit.unit().in_base);
+        for node in &mut parts.nodes {
+            *node = node.map(|x| scale * x);
+        }
+        put_on_circles(&mut parts, &self.circles, &mut notes)
+            .map_err(|[cause, remedy]| refused("circles", cause, &remedy))?;
+        let plain = placed(parts, &self.splines, &mut notes).map_err(invalid)?;
         let plain = splines::put_on(plain, &self.splines, &mut notes)
             .map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;
         let given = GivenMesh {
@@ -149,11 +154,6 @@ impl Keys {
         };
         given.with(plain).map_err(invalid)
     }
-}
-
-/// Key, cause and remedy of a mesh that cannot be used.
-fn invalid(cause: String) -> [String; 3] {
-    ["file".to_owned(), cause, MEND.to_owned()]
 }
 
 /// What makes a file readable that was not, by `cause`.

@@ -3,27 +3,17 @@
 use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
 use stickslip_mesh_files::{CurveError, put_on_circle, recognise_set, snap, snap_pieces};
 
-use super::{Keys, invalid};
-
-/// The mesh of a file in mm, with the curves of its edges that are declared circles or found, of all but splines, and its nodes on them; `notes` get what was moved.
-///
-/// # Errors
-/// The key, what is wrong, and what to do.
+/// The mesh of a file with the known curves of its edges but `splines`, and its mid nodes on them; `notes` get what was moved.
 pub(super) fn placed(
     mut parts: MeshParts,
-    keys: &Keys,
+    splines: &[String],
     notes: &mut Vec<String>,
-) -> Result<Mesh, [String; 3]> {
-    let scale = keys.unit.unit().in_base;
-    for node in &mut parts.nodes {
-        *node = node.map(|x| scale * x);
-    }
-    on_circles(&mut parts, &keys.circles, notes)?;
+) -> Result<Mesh, String> {
     let names: Vec<String> = parts.edge_sets.keys().cloned().collect();
-    for name in names.iter().filter(|name| !keys.circles.contains(name)) {
+    for name in &names {
         match recognise_set(&parts, name).map(|found| found.curve) {
             Ok(mesh::Curve::Arc { radius, .. }) => {
-                let moved = snap(&mut parts, name).map_err(|cause| invalid(cause.to_string()))?;
+                let moved = snap(&mut parts, name).map_err(|cause| cause.to_string())?;
                 if moved > 0 {
                     notes.push(format!(
                         "{moved} mid nodes of '{name}' were put from chords onto its circle of radius {radius:.6} mm"
@@ -35,7 +25,7 @@ pub(super) fn placed(
                     set.curve = Some(curve);
                 }
             }
-            Err(_) if keys.splines.contains(name) => {}
+            Err(_) if splines.contains(name) => {}
             Err(_) => {
                 let moved = snap_pieces(&mut parts, name).unwrap_or_default();
                 if moved > 0 {
@@ -46,15 +36,18 @@ pub(super) fn placed(
             }
         }
     }
-    Mesh::new(parts).map_err(|cause| invalid(cause.to_string()))
+    Mesh::new(parts).map_err(|cause| cause.to_string())
 }
 
-/// Puts the edges `circles` onto their best circles.
-fn on_circles(
+/// Puts the edges `circles`, of coordinates in mm, onto their best circles; `notes` get what was moved.
+///
+/// # Errors
+/// What is wrong with an edge, and what to do.
+pub(super) fn put_on_circles(
     parts: &mut MeshParts,
     circles: &[String],
     notes: &mut Vec<String>,
-) -> Result<(), [String; 3]> {
+) -> Result<(), [String; 2]> {
     for name in circles {
         let (found, moved) = put_on_circle(parts, name).map_err(|cause| {
             let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
@@ -66,7 +59,7 @@ fn on_circles(
                     "remove '{name}' from `circles`, or make the mesh again with the circle"
                 ),
             };
-            ["circles".to_owned(), cause.to_string(), remedy]
+            [cause.to_string(), remedy]
         })?;
         if let (mesh::Curve::Arc { radius, .. }, 1..) = (found.curve, moved) {
             notes.push(format!(
