@@ -120,14 +120,15 @@ impl Keys {
                 )
             })?,
         };
+        let circles = match self.circles.as_slice() {
+            [] => String::new(),
+            named => format!("circles {named:?} "),
+        };
         let digest = sha256(format!(
-            "{:e} {:?} {:?}{} {}",
+            "{:e} {:?} {:?} {circles}{}",
             self.unit.unit().in_base,
             self.elements,
             self.splines,
-            (self.circles.iter())
-                .map(|name| format!(" circle {name:?}"))
-                .collect::<String>(),
             whole.into_inner()
         ));
         let invalid = |cause: String| refused("file", cause, MEND);
