@@ -121,13 +121,33 @@ pub fn snap(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
     Ok(moved)
 }
 
-/// Moves all nodes of edge set `set`, a closed chain, onto the circle of least squares through its corner nodes ([`nearly_circle`]), and stores the circle in the set: where it is known to
-/// be one, although its file does not give it to the digits that [`recognise_set`] asks for. Returns the circle, with the farthest way of a corner node, and how many nodes were moved.
+/// Moves all nodes of each of the edge sets `names`, closed chains, onto the circle of least squares through its corner nodes ([`nearly_circle`]), and stores the circles in the sets: where
+/// they are known to be some, although their file does not give them to the digits that [`recognise_set`] asks for. Returns each circle, with the farthest way of a corner node, and how
+/// many of its nodes were moved.
 ///
 /// # Errors
-/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if its edges do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Squeezed`] if a cell folds, or gets
-/// a shape for which a file is refused.
-pub fn put_on_circle(parts: &mut MeshParts, set: &str) -> Result<(Recognised, usize), CurveError> {
+/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if the edges of a set do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Squeezed`] if a cell
+/// folds, or gets a shape for which a file is refused.
+pub fn put_on_circles(
+    parts: &mut MeshParts,
+    names: &[String],
+) -> Result<Vec<(Recognised, usize)>, CurveError> {
+    let put: Result<Vec<_>, _> = names.iter().map(|set| put_on_circle(parts, set)).collect();
+    let put = put?;
+    if !names.is_empty() && are_squeezed(parts) {
+        let sets = names.join("', '");
+        return Err(CurveError::Squeezed { sets });
+    }
+    Ok(put)
+}
+
+/// Whether cells fold, or have a shape for which a file is refused.
+fn are_squeezed(parts: &MeshParts) -> bool {
+    let mut flaws = quality::of_cells(&parts.nodes, &parts.blocks).flatten();
+    flaws.any(quality::Flaw::is_refused) || Mesh::new(parts.clone()).is_err()
+}
+
+fn put_on_circle(parts: &mut MeshParts, set: &str) -> Result<(Recognised, usize), CurveError> {
     let name = || set.to_owned();
     let walk = Walk::of(parts, set)?;
     if !walk.closed {
@@ -144,10 +164,6 @@ pub fn put_on_circle(parts: &mut MeshParts, set: &str) -> Result<(Recognised, us
                 moved += usize::from(project(point, centre, radius));
             }
         }
-    }
-    let mut flaws = quality::of_cells(&parts.nodes, &parts.blocks).flatten();
-    if flaws.any(quality::Flaw::is_refused) || Mesh::new(parts.clone()).is_err() {
-        return Err(CurveError::Squeezed { set: name() });
     }
     if let Some(own) = parts.edge_sets.get_mut(set) {
         own.curve = Some(found.curve);

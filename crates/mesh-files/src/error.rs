@@ -426,12 +426,10 @@ pub enum CurveError {
         /// The set.
         set: String,
     },
-    /// A circle onto which its nodes cannot be put.
-    #[error(
-        "cells along edge set '{set}' lose their shape where its nodes are put onto its circle"
-    )]
+    /// Circles onto which their nodes cannot be put.
+    #[error("cells lose their shape where the nodes of '{sets}' are put onto circles")]
     Squeezed {
-        /// The set.
-        set: String,
+        /// The sets.
+        sets: String,
     },
 }

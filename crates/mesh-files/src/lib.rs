@@ -53,7 +53,7 @@ use stickslip_fem_core::mesh::MeshParts;
 /// The crate of the meshes.
 pub use stickslip_fem_core;
 
-pub use curves::{put_on_circle, recognise_set, snap, snap_pieces};
+pub use curves::{put_on_circles, recognise_set, snap, snap_pieces};
 pub use error::{CurveError, ReadError, Unsupported, WriteError};
 pub use foreign::Foreign;
 pub use note::Note;

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use stickslip_fem_core::mesh::Mesh;
-use stickslip_mesh_files::{Format, put_on_circle, read, recognise_set, snap};
+use stickslip_mesh_files::{Format, put_on_circles, read, recognise_set, snap};
 
 const FILES: [(&str, Format); 4] = [
     (include_str!("../data/mixed-4.1.msh"), Format::Gmsh),
@@ -20,7 +20,7 @@ fn try_all(text: &str) {
             for set in parts.edge_sets.clone().keys() {
                 let _ = recognise_set(&parts, set);
                 let _ = snap(&mut parts.clone(), set);
-                let _ = put_on_circle(&mut parts.clone(), set);
+                let _ = put_on_circles(&mut parts.clone(), std::slice::from_ref(set));
             }
             parts
                 .edge_sets

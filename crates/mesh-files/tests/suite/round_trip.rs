@@ -8,7 +8,7 @@ use stickslip_fem_core::generate::{
 use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, Mesh, MeshParts, Point};
 use stickslip_mesh_files::{
-    CurveError, Format, WriteError, put_on_circle, recognise_set, snap, write_inp, write_msh,
+    CurveError, Format, WriteError, put_on_circles, recognise_set, snap, write_inp, write_msh,
 };
 
 use super::{ends, imported};
@@ -224,7 +224,8 @@ fn a_declared_circle_gets_all_its_nodes() {
         }
         assert!(recognise_set(&rough, "hole").is_err());
         let before = rough.clone();
-        let (found, moved) = put_on_circle(&mut rough, "hole").expect("a circle");
+        let put = put_on_circles(&mut rough, &["hole".to_owned()]).expect("a circle");
+        let (found, moved) = put[0];
         assert_eq!(moved, path.nodes.len());
         // Corners are even in number, so that the best circle stays but for the square of the part.
         assert!((found.residual / radius - 1e-3).abs() < 1e-5, "{found:?}");
@@ -239,8 +240,9 @@ fn a_declared_circle_gets_all_its_nodes() {
                 assert_eq!(own, old);
             }
         }
-        let refused =
-            |parts: &mut MeshParts, set: &str| put_on_circle(parts, set).expect_err("a refusal");
+        let refused = |parts: &mut MeshParts, set: &str| {
+            put_on_circles(parts, &[set.to_owned()]).expect_err("a refusal")
+        };
         let set = || "hole".to_owned();
         let open = refused(&mut rough, "left");
         assert_eq!(open, CurveError::Open { set: "left".into() });
@@ -267,7 +269,7 @@ fn a_declared_circle_gets_all_its_nodes() {
         thin.nodes[corners[0]] = moved_by(thin.nodes[corners[0]], -0.04);
         assert_eq!(
             refused(&mut thin, "hole"),
-            CurveError::Squeezed { set: set() }
+            CurveError::Squeezed { sets: set() }
         );
     }
 }

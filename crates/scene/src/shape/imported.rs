@@ -19,7 +19,7 @@ use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 use stickslip_mesh_files::{Coincident, Format, read_with};
 
 use self::edges::{edges, uneven};
-use self::placed::{placed, put_on_circles};
+use self::placed::{on_circles, placed};
 use super::Shape;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
 use crate::declaration::{Key, NONE, REQUIRED, text, words};
@@ -137,7 +137,7 @@ impl Keys {
         for node in &mut parts.nodes {
             *node = node.map(|x| scale * x);
         }
-        put_on_circles(&mut parts, &self.circles, &mut notes)
+        on_circles(&mut parts, &self.circles, &mut notes)
             .map_err(|[cause, remedy]| refused("circles", cause, &remedy))?;
         let plain = placed(parts, &self.splines, &mut notes).map_err(invalid)?;
         let plain = splines::put_on(plain, &self.splines, &mut notes)

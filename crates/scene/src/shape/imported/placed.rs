@@ -1,7 +1,7 @@
 //! The mesh of a file on the lines, circles and arcs that its edges approximate.
 
 use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
-use stickslip_mesh_files::{CurveError, put_on_circle, recognise_set, snap, snap_pieces};
+use stickslip_mesh_files::{CurveError, put_on_circles, recognise_set, snap, snap_pieces};
 
 /// The mesh of a file with the known curves of its edges but `splines`, and its mid nodes on them; `notes` get what was moved.
 pub(super) fn placed(
@@ -43,24 +43,22 @@ pub(super) fn placed(
 ///
 /// # Errors
 /// What is wrong with an edge, and what to do.
-pub(super) fn put_on_circles(
+pub(super) fn on_circles(
     parts: &mut MeshParts,
     circles: &[String],
     notes: &mut Vec<String>,
 ) -> Result<(), [String; 2]> {
-    for name in circles {
-        let (found, moved) = put_on_circle(parts, name).map_err(|cause| {
-            let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
-            let remedy = match cause {
-                CurveError::MissingSet { .. } => format!("edges of the file: {}", known.join(", ")),
-                CurveError::NoChain { .. } => "give each closed edge a name of its own".to_owned(),
-                CurveError::Open { .. } => format!("name '{name}' in `splines` instead"),
-                _ => format!(
-                    "remove '{name}' from `circles`, or make the mesh again with the circle"
-                ),
-            };
-            [cause.to_string(), remedy]
-        })?;
+    let put = put_on_circles(parts, circles).map_err(|cause| {
+        let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
+        let remedy = match &cause {
+            CurveError::MissingSet { .. } => format!("edges of the file: {}", known.join(", ")),
+            CurveError::NoChain { .. } => "give each closed edge a name of its own".to_owned(),
+            CurveError::Open { set } => format!("name '{set}' in `splines` instead"),
+            _ => "leave it out of `circles`, or make the mesh again with the circle".to_owned(),
+        };
+        [cause.to_string(), remedy]
+    })?;
+    for (name, (found, moved)) in circles.iter().zip(put) {
         if let (mesh::Curve::Arc { radius, .. }, 1..) = (found.curve, moved) {
             notes.push(format!(
                 "{moved} nodes of '{name}' were put onto its circle of radius {radius:.6} mm, from which its corners were up to {:.2e} mm away",
