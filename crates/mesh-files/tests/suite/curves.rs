@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use stickslip_fem_core::mesh::{Curve, Point};
-use stickslip_mesh_files::{Recognised, recognise};
+use stickslip_mesh_files::{Recognised, nearly_circle, recognise};
 
 fn on_circle(centre: Point, radius: f64, angles: impl Iterator<Item = f64>) -> Vec<Point> {
     angles
@@ -51,6 +51,28 @@ fn with_middles(corners: &[Point], closed: bool) -> Vec<Point> {
         }
     }
     points
+}
+
+/// Corners of squares and hexagons lie on circles that nobody means; those of octagons may be off theirs by a twentieth.
+#[test]
+fn declared_circles_have_eight_corners_near_them() {
+    let polygon = |corners: i32, off: f64| {
+        let points = (0..corners).map(|k| {
+            let angle = TAU * f64::from(k) / f64::from(corners);
+            let radius = if k % 2 == 0 {
+                2.0 + 2.0 * off
+            } else {
+                2.0 - 2.0 * off
+            };
+            [1.0 + radius * angle.cos(), radius * angle.sin()]
+        });
+        nearly_circle(&points.collect::<Vec<_>>())
+    };
+    assert_eq!(polygon(4, 0.0), None);
+    assert_eq!(polygon(6, 0.0), None);
+    assert_circle(polygon(8, 0.0), [1.0, 0.0], 2.0, 1e-12);
+    assert_circle(polygon(8, 0.049), [1.0, 0.0], 2.0, 1e-12);
+    assert_eq!(polygon(8, 0.051), None);
 }
 
 #[test]
