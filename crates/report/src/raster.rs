@@ -219,14 +219,15 @@ impl Raster {
             rect.left(),
             rect.top(),
         );
+        // Between pixels as large as the picture's there is nothing to find.
+        let shrunk = stretch.sx * self.place.sx - 1.0;
+        let filter = if shrunk.abs() < 0.01 {
+            FilterQuality::Nearest
+        } else {
+            FilterQuality::Bilinear
+        };
         let paint = Paint {
-            shader: Pattern::new(
-                pixels.as_ref(),
-                SpreadMode::Pad,
-                FilterQuality::Bilinear,
-                1.0,
-                stretch,
-            ),
+            shader: Pattern::new(pixels.as_ref(), SpreadMode::Pad, filter, 1.0, stretch),
             ..Paint::default()
         };
         let mask = Self::mask(self.clip.as_ref(), Some(rect), self.place);

@@ -66,7 +66,7 @@ fn a_field_has_labels_extremes_and_the_ends_of_its_bar() {
     let plot = FieldPlot::new("Field", "σ_xx [MPa] < all", "mm", &nodes, &cells, &values);
     let picture = plot.clone().render().unwrap();
     let displaced = texts(&plot.displaced().render().unwrap());
-    assert!(displaced.contains(&"min −50.00, max 200.0".to_owned()));
+    assert!(displaced.contains(&"min −50.00 MPa, max 200.0 MPa".to_owned()));
     let texts = texts(&picture);
     for expected in [
         "Field",
@@ -81,7 +81,9 @@ fn a_field_has_labels_extremes_and_the_ends_of_its_bar() {
             "{expected} in {texts:?}"
         );
     }
-    assert!(texts.contains(&"min −50.00 at (0, 1.000), max 200.0 at (2.000, 0)".to_owned()));
+    assert!(
+        texts.contains(&"min −50.00 MPa at (0, 1.000), max 200.0 MPa at (2.000, 0)".to_owned())
+    );
     assert_eq!(count(&picture, "image"), 0);
     assert!(!picture.as_str().contains("NaN"));
 }
@@ -128,15 +130,14 @@ fn a_mirrored_field_shows_both_halves() {
     let half = FieldPlot::new("Half", "τ [MPa]", "mm", &nodes, &cells, &values)
         .colormap(Colormap::BlueWhiteRed);
     let whole = half.clone().mirror([1.0, -1.0, -1.0]).render().unwrap();
-    assert!(
-        texts(&whole)
-            .contains(&"min −1.000 at (0.2500, −1.000), max 1.000 at (0.2500, 1.000)".to_owned())
-    );
+    assert!(texts(&whole).contains(
+        &"min −1.000 MPa at (0.2500, −1.000), max 1.000 MPa at (0.2500, 1.000)".to_owned()
+    ));
     let same = half.mirror([1.0, -1.0, 1.0]).render().unwrap();
     assert!(
         texts(&same)
             .iter()
-            .any(|text| text.starts_with("min 0 at (0, 0), max 1.000"))
+            .any(|text| text.starts_with("min 0 MPa at (0, 0), max 1.000"))
     );
     let below = color_at(&same, 0.4, 0.85);
     assert!(

@@ -49,7 +49,11 @@ impl Layout {
             extent,
             bar_axis,
             range,
-            stated: describe(extremes, plot.show_places.then_some(extent)),
+            stated: describe(
+                extremes,
+                &unit(&plot.label),
+                plot.show_places.then_some(extent),
+            ),
         };
         // Ticks and margins depend on each other: each pass has the margins of the last.
         let guess = Margins {
@@ -128,8 +132,18 @@ impl Placer<'_> {
     }
 }
 
-/// The least and largest value as text, within `extent` with their places, to a ten-thousandth of the picture or finer; empty if there are none.
-fn describe(extremes: Option<&[[f64; 3]; 2]>, extent: Option<[Span; 2]>) -> String {
+/// What the first brackets of a label hold, after a space; empty without brackets or a unit.
+fn unit(label: &str) -> String {
+    let inside = label
+        .split_once('[')
+        .and_then(|(_, rest)| rest.split_once(']'));
+    let named = inside.filter(|(unit, _)| !matches!(*unit, "–" | "-"));
+    named.map_or_else(String::new, |(unit, _)| format!(" {unit}"))
+}
+
+/// The least and largest value as text with `unit`, within `extent` with their places, to a ten-thousandth of the picture or finer; empty if
+/// there are none.
+fn describe(extremes: Option<&[[f64; 3]; 2]>, unit: &str, extent: Option<[Span; 2]>) -> String {
     let Some([least, largest]) = extremes else {
         return String::new();
     };
@@ -141,7 +155,7 @@ fn describe(extremes: Option<&[[f64; 3]; 2]>, extent: Option<[Span; 2]>) -> Stri
     };
     let stated = |node: &[f64; 3]| {
         let at = place(node).unwrap_or_default();
-        format!("{}{at}", significant(node[2], 4))
+        format!("{}{unit}{at}", significant(node[2], 4))
     };
     format!("min {}, max {}", stated(least), stated(largest))
 }
