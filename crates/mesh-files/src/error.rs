@@ -72,6 +72,24 @@ pub enum ReadError {
         /// Where.
         at: Place,
     },
+    /// Text that is no XML.
+    #[error("{at}: the file is not valid XML ({cause}); export it again")]
+    Xml {
+        /// Where.
+        at: Place,
+        /// Why.
+        cause: String,
+    },
+    /// Arrays of VTK in a form that is not read.
+    #[error(
+        "{at}: {what}; save the grid with its arrays inside, as text or binary, plain or packed by zlib (in ParaView: data mode Ascii or Binary)"
+    )]
+    Encoding {
+        /// Where.
+        at: Place,
+        /// What is not read.
+        what: &'static str,
+    },
     /// A mesh that was divided for parallel computation.
     #[error("{at}: the mesh is partitioned; save it without partitions")]
     Partitioned {

@@ -24,8 +24,13 @@ const KINDS: &[(&[&str], Foreign, &[&str])] = &[
         &["$MeshFormat", "$NOD"],
     ),
     (
-        &["vtu", "vtk", "vtp", "pvtu", "pvd"],
-        kind("a mesh of VTK", None),
+        &["vtu"],
+        kind("a mesh of VTK", Some(Format::Vtk)),
+        &["<VTKFile type=\"UnstructuredGrid\""],
+    ),
+    (
+        &["vtk", "vtp", "pvtu", "pvd"],
+        kind("a file of VTK", None),
         &["<VTKFile", "# vtk DataFile"],
     ),
     (
@@ -70,7 +75,7 @@ impl Foreign {
 
     /// How to make a file of it that is read, as the beginning of a sentence.
     pub fn export(self) -> &'static str {
-        "mesh the plane part, name its edges, and save it as .msh of Gmsh (text; physical curves are edges) or as .inp of Abaqus or CalculiX; then"
+        "mesh the plane part, name its edges, and save it as .msh of Gmsh (text; physical curves are edges), as .inp of Abaqus or CalculiX, or as .vtu of VTK; then"
     }
 
     /// What a text is, by its first lines.
@@ -108,7 +113,7 @@ impl Imported {
         let points = self.parts.node_sets.keys().map(String::as_str);
         let points: Vec<&str> = points.filter(|name| !edges.contains(name)).collect();
         let edges = if edges.is_empty() {
-            "The file names no edge: export node sets or surfaces (in Gmsh physical curves) for supports, loads and contacts".to_owned()
+            "The file names no edge: export node sets or surfaces (in Gmsh physical curves, in VTK integers on points or lines) for supports, loads and contacts".to_owned()
         } else {
             format!("Edges of the file: {}", listed(&edges))
         };

@@ -7,9 +7,11 @@
 //! | format | node sets | edge sets | element sets |
 //! | --- | --- | --- | --- |
 //! | Gmsh, MSH 2.2 and 4.1 as text | physical points | physical curves | physical surfaces |
+//! | VTK, unstructured grids in XML, `.vtu`, with arrays as text or in base 64 | arrays of integers on points | the same on lines; node sets that form whole boundary edges | the same on cells |
 //! | Abaqus and CalculiX, `.inp` | `*NSET`, `*SURFACE, TYPE=NODE` | `*SURFACE, TYPE=ELEMENT`; node sets that form whole boundary edges; element sets of lines (T3D2, T3D3) | `*ELSET` |
 //!
-//! A physical group without a name is called `physical-3`. Cells are triangles of 3 and 6 and quadrilaterals of 4, 8 and 9 nodes, one
+//! A physical group without a name is called `physical-3`. Of an array of integers the points or cells with a value other than 0 are a
+//! set: of its name if that value is always 1, otherwise one of the name `NAME-3` for each value. Cells are triangles of 3 and 6 and quadrilaterals of 4, 8 and 9 nodes, one
 //! block for each kind and group. Nodes are sorted by the file's numbers, and so are the cells of a block.
 //!
 //! ```
@@ -28,7 +30,7 @@
 //! moves mid nodes from chords onto it.
 //!
 //! Sources: Gmsh reference manual, sections "MSH file format" and "MSH file format version 2 (Legacy)"; Abaqus Keywords Reference Guide;
-//! Dhondt, *CalculiX CrunchiX User's Manual*, chapter "Input deck format".
+//! Dhondt, *CalculiX CrunchiX User's Manual*, chapter "Input deck format"; *VTK File Formats*, section "XML File Formats".
 
 mod abaqus;
 mod assemble;
@@ -46,6 +48,7 @@ mod quality;
 mod raw;
 mod recognise;
 mod subset;
+mod vtu;
 mod write;
 
 use stickslip_fem_core::mesh::MeshParts;
@@ -71,21 +74,24 @@ pub enum Format {
     Gmsh,
     /// Input files of Abaqus and CalculiX.
     Abaqus,
+    /// Unstructured grids of VTK in XML.
+    Vtk,
 }
 
 impl Format {
     /// The format of a file of this name, by its [`extension`](Self::extension) in either case.
     pub fn of_name(name: &str) -> Option<Self> {
         let (_, own) = name.rsplit_once('.')?;
-        let mut all = [Self::Gmsh, Self::Abaqus].into_iter();
+        let mut all = [Self::Gmsh, Self::Abaqus, Self::Vtk].into_iter();
         all.find(|format| own.eq_ignore_ascii_case(format.extension()))
     }
 
-    /// The extension of its files: `msh` or `inp`.
+    /// The extension of its files: `msh`, `inp` or `vtu`.
     pub const fn extension(self) -> &'static str {
         match self {
             Self::Gmsh => "msh",
             Self::Abaqus => "inp",
+            Self::Vtk => "vtu",
         }
     }
 }
@@ -140,5 +146,6 @@ pub fn read_with(
     match format {
         Format::Gmsh => gmsh::read(text, coincident),
         Format::Abaqus => abaqus::read(text, includes, coincident),
+        Format::Vtk => vtu::read(text, coincident),
     }
 }

@@ -11,9 +11,9 @@ use crate::quality::{self, Flaw};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Note {
-    /// A keyword of Abaqus or a section of Gmsh that says nothing about the mesh.
+    /// A keyword of Abaqus, a section of Gmsh or an array of VTK that says nothing about the mesh.
     Skipped {
-        /// The keyword or section.
+        /// The keyword, section or array.
         keyword: String,
         /// Where it stands first.
         at: Place,

@@ -110,6 +110,13 @@ impl Raw {
         self.connectivity.extend_from_slice(nodes);
     }
 
+    /// Numbers of the nodes of the element that was added at position `element`, which exists.
+    pub(crate) fn nodes_of(&self, element: usize) -> &[u64] {
+        let RawElement { first, shape, .. } = self.elements[element];
+        // `add_element` appended as many numbers as the shape has nodes.
+        &self.connectivity[first..first + shape.nodes()]
+    }
+
     /// Sorts nodes and elements by their numbers and resolves the nodes of elements.
     ///
     /// # Errors

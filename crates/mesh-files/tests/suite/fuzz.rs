@@ -4,16 +4,18 @@ use proptest::prelude::*;
 use stickslip_fem_core::mesh::Mesh;
 use stickslip_mesh_files::{Format, put_on_circles, read, recognise_set, snap};
 
-const FILES: [(&str, Format); 4] = [
+const FILES: [(&str, Format); 6] = [
     (include_str!("../data/mixed-4.1.msh"), Format::Gmsh),
     (include_str!("../data/quad9-2.2.msh"), Format::Gmsh),
     (include_str!("../data/flat.inp"), Format::Abaqus),
     (include_str!("../data/part.inp"), Format::Abaqus),
+    (include_str!("../data/strip.vtu"), Format::Vtk),
+    (include_str!("../data/strip-packed.vtu"), Format::Vtk),
 ];
 
-/// Reads a text as both formats; what is read is a valid mesh.
+/// Reads a text in all formats; what is read is a valid mesh.
 fn try_all(text: &str) {
-    for format in [Format::Gmsh, Format::Abaqus] {
+    for format in [Format::Gmsh, Format::Abaqus, Format::Vtk] {
         let includes = |name: &str| Ok(name.to_owned());
         if let Ok(file) = read(text, format, &includes) {
             let mut parts = file.parts;

@@ -8,6 +8,7 @@ mod fuzz;
 mod gmsh;
 mod quality;
 mod round_trip;
+mod vtu;
 
 use stickslip_fem_core::mesh::Mesh;
 use stickslip_mesh_files::{Format, Imported, ReadError, read};

@@ -29,7 +29,7 @@ use crate::units::{Length, UnitName};
 
 const NAME: &str = "mesh";
 
-pub(super) const MEANING: &str = "a mesh of Gmsh (`.msh`, text), Abaqus or CalculiX (`.inp`); edges and points as its sets are named";
+pub(super) const MEANING: &str = "a mesh of Gmsh (`.msh`, text), Abaqus or CalculiX (`.inp`), or VTK (`.vtu`); edges and points as its sets are named";
 
 #[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
@@ -83,9 +83,9 @@ impl Keys {
         let refused =
             |key: &str, cause: String, remedy: &str| [key.to_owned(), cause, remedy.to_owned()];
         let format = Format::of_name(&self.file).ok_or_else(|| {
-            let cause = "its name ends neither in .msh nor in .inp".to_owned();
+            let cause = "its name ends in none of .msh, .inp and .vtu".to_owned();
             let remedy =
-                "export the mesh from Gmsh as .msh (text) or from Abaqus or CalculiX as .inp";
+                "export the mesh from Gmsh as .msh (text), from Abaqus or CalculiX as .inp, or as a .vtu of VTK";
             refused("file", cause, remedy)
         })?;
         let path = Path::new(&self.file);

@@ -79,6 +79,27 @@ fn a_mesh_is_no_scene_and_its_sets_are_named() {
 }
 
 #[test]
+fn a_grid_of_vtk_is_a_mesh_too() {
+    let grid = include_str!("../../../mesh-files/tests/data/strip-packed.vtu");
+    let folder = folder_with("scene.toml", &SCENE.replace("part.inp", "part.vtu"));
+    fs::write(folder.path().join("part.vtu"), grid).unwrap();
+    let message = fails(folder.path(), &["check", "part.vtu"]);
+    let sets =
+        "Edges of the file: 'end', 'gmsh:physical-1', 'gmsh:physical-2'. Its points: 'corner'.";
+    holds(
+        &message,
+        &["'part.vtu' is a mesh of VTK, not a scene", sets],
+    );
+    let set = ["supports.0.on=part.gmsh:physical-1", "loads.0.on=part.end"];
+    succeeds(
+        folder.path(),
+        &["run", "scene.toml", "--set", set[0], "--set", set[1]],
+    );
+    let written = fs::read_to_string(folder.path().join("scene-results/summary.json")).unwrap();
+    holds(&written, &["array 'u' of PointData passed over: line 9"]);
+}
+
+#[test]
 fn a_mesh_that_cannot_be_read_says_why_beside_the_scene() {
     let folder = folder(&MESH.replace("7,1,2,3,4", "7,1,2,3,9"));
     let message = fails(folder.path(), &["check", "part.inp"]);
@@ -100,6 +121,7 @@ fn files_of_other_programs_are_known_by_name_or_first_line() {
             "a mesh of Abaqus or CalculiX",
         ),
         ("c.vtu", "", "a mesh of VTK"),
+        ("c.vtk", "# vtk DataFile Version 3.0\n", "a file of VTK"),
         (
             "c.toml",
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\">\n",
@@ -118,7 +140,7 @@ fn files_of_other_programs_are_known_by_name_or_first_line() {
         let message = fails(folder.path(), &["run", name]);
         holds(&message, &[&format!("'{name}' is {what}, not a scene")]);
         holds(&message, &["unit = \"mm\""]);
-        let is_read = what.contains("Gmsh") || what.contains("Abaqus");
+        let is_read = what.starts_with("a mesh of");
         assert_eq!(message.contains("save it as .msh"), !is_read, "{message}");
     }
     let message = fails(folder.path(), &["run", "b.txt"]);
