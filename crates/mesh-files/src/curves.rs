@@ -6,7 +6,7 @@ use crate::chain;
 use crate::error::CurveError;
 use crate::pieces::recognise_pieces;
 use crate::quality;
-use crate::recognise::{Recognised, nearly_circle, recognise};
+use crate::recognise::{NEARLY, Recognised, best_circle, nearly_circle, recognise};
 
 /// Part of the radius by which a mid node is off the circle because of rounding only.
 const ROUNDING: f64 = 1e-14;
@@ -122,18 +122,24 @@ pub fn snap(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
 }
 
 /// Moves all nodes of each of the edge sets `names`, closed chains, onto the circle of least squares through its corner nodes ([`nearly_circle`]), and stores the circles in the sets: where
-/// they are known to be some, although their file does not give them to the digits that [`recognise_set`] asks for. Returns each circle, with the farthest way of a corner node, and how
-/// many of its nodes were moved.
+/// they are known to be some, although their file does not give them to the digits that [`recognise_set`] asks for. `radii` are those of the circles, in the order of `names`, where they are
+/// known; without any they are those of the fits. Returns each circle, with the farthest way of a corner node, and how many of its nodes were moved.
 ///
 /// # Errors
-/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if the edges of a set do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Squeezed`] if a cell
-/// folds, or gets a shape for which a file is refused.
+/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if the edges of a set do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Radii`];
+/// [`CurveError::OtherRadius`] if one is off the fit by more than corner nodes may be; [`CurveError::Squeezed`] if a cell folds, or gets a shape for which a file is refused.
 pub fn put_on_circles(
     parts: &mut MeshParts,
     names: &[String],
+    radii: &[f64],
 ) -> Result<Vec<(Recognised, usize)>, CurveError> {
-    let put: Result<Vec<_>, _> = names.iter().map(|set| put_on_circle(parts, set)).collect();
-    let put = put?;
+    if !radii.is_empty() && radii.len() != names.len() {
+        let (circles, radii) = (names.len(), radii.len());
+        return Err(CurveError::Radii { circles, radii });
+    }
+    let named = names.iter().enumerate();
+    let put = named.map(|(k, set)| put_on_circle(parts, set, radii.get(k).copied()));
+    let put: Vec<_> = put.collect::<Result<_, _>>()?;
     if !names.is_empty() && are_squeezed(parts) {
         let sets = names.join("', '");
         return Err(CurveError::Squeezed { sets });
@@ -147,18 +153,29 @@ fn are_squeezed(parts: &MeshParts) -> bool {
     flaws.any(quality::Flaw::is_refused) || Mesh::new(parts.clone()).is_err()
 }
 
-fn put_on_circle(parts: &mut MeshParts, set: &str) -> Result<(Recognised, usize), CurveError> {
+fn put_on_circle(
+    parts: &mut MeshParts,
+    set: &str,
+    given: Option<f64>,
+) -> Result<(Recognised, usize), CurveError> {
     let name = || set.to_owned();
     let walk = Walk::of(parts, set)?;
     if !walk.closed {
         return Err(CurveError::Open { set: name() });
     }
     let corners = walk.nodes.iter().step_by(walk.order);
-    let corners: Option<Vec<Point>> = corners.map(|&k| parts.nodes.get(k).copied()).collect();
-    let found = corners.and_then(|corners| nearly_circle(&corners));
-    let found = found.ok_or_else(|| CurveError::NoCircle { set: name() })?;
+    let corners: Vec<Point> = corners
+        .filter_map(|&k| parts.nodes.get(k).copied())
+        .collect();
+    let mut found = nearly_circle(&corners).ok_or_else(|| {
+        let [radius, off] = best_circle(&corners);
+        let set = name();
+        CurveError::NoCircle { set, radius, off }
+    })?;
     let mut moved = 0;
-    if let Curve::Arc { centre, radius } = found.curve {
+    if let Curve::Arc { centre, radius } = &mut found.curve {
+        let (centre, radius) = (*centre, with_given(set, radius, given)?);
+        found.residual = farthest(&corners, centre, radius);
         for node in walk.nodes {
             if let Some(point) = parts.nodes.get_mut(node) {
                 moved += usize::from(project(point, centre, radius));
@@ -169,6 +186,24 @@ fn put_on_circle(parts: &mut MeshParts, set: &str) -> Result<(Recognised, usize)
         own.curve = Some(found.curve);
     }
     Ok((found, moved))
+}
+
+/// Makes a `radius` the `given` one, and returns it.
+fn with_given(set: &str, radius: &mut f64, given: Option<f64>) -> Result<f64, CurveError> {
+    if let Some(given) = given {
+        if (given - *radius).abs() > NEARLY * *radius {
+            let (set, found) = (set.to_owned(), *radius);
+            return Err(CurveError::OtherRadius { set, found, given });
+        }
+        *radius = given;
+    }
+    Ok(*radius)
+}
+
+/// The farthest way of a point from a circle.
+fn farthest(points: &[Point], centre: Point, radius: f64) -> f64 {
+    let off = |p: &Point| ((p[0] - centre[0]).hypot(p[1] - centre[1]) - radius).abs();
+    points.iter().map(off).fold(0.0, f64::max)
 }
 
 /// Moves a point along its ray onto a circle, and returns whether it was not there but for the digits of its file.

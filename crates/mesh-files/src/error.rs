@@ -438,11 +438,36 @@ pub enum CurveError {
     },
     /// A closed chain that is declared to be a circle.
     #[error(
-        "the corner nodes of edge set '{set}' do not go around one circle, within 5 % of its radius and at most 50° from one to the next"
+        "the corner nodes of edge set '{set}' do not go around one circle, within 5 % of its radius and at most 50° from one to the next: they are up to {off:.3e} away \
+         from the best one, of radius {radius:.6}"
     )]
     NoCircle {
         /// The set.
         set: String,
+        /// Radius of the circle of least squares `[length]`.
+        radius: f64,
+        /// The farthest way of a corner node from it `[length]`.
+        off: f64,
+    },
+    /// A radius that is given for a circle of another one.
+    #[error(
+        "the corner nodes of edge set '{set}' lie on a circle of radius {found:.6}, and {given:.6} is given"
+    )]
+    OtherRadius {
+        /// The set.
+        set: String,
+        /// Radius of the circle of least squares `[length]`.
+        found: f64,
+        /// The one that is given `[length]`.
+        given: f64,
+    },
+    /// Another number of radii than of circles.
+    #[error("{radii} radii are given for {circles} circles")]
+    Radii {
+        /// How many circles.
+        circles: usize,
+        /// How many radii.
+        radii: usize,
     },
     /// Circles onto which their nodes cannot be put.
     #[error("cells lose their shape where the nodes of '{sets}' are put onto circles")]

@@ -122,7 +122,7 @@ impl Imported {
 }
 
 /// "'a', 'b' and 3 more".
-fn listed(names: &[&str]) -> String {
+pub(crate) fn listed(names: &[&str]) -> String {
     let shown = names.iter().take(MOST_NAMES);
     let shown: Vec<String> = shown.map(|name| format!("'{name}'")).collect();
     match names.len() - shown.len() {

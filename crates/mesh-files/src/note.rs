@@ -4,6 +4,7 @@ use std::fmt;
 
 use stickslip_fem_core::mesh::{ElementBlock, Point};
 
+use crate::foreign::listed;
 use crate::place::Place;
 use crate::quality::{self, Flaw};
 
@@ -73,12 +74,10 @@ pub enum Note {
         /// How many.
         count: usize,
     },
-    /// The nodes of a set form whole boundary edges, which became an edge set.
+    /// The nodes of each of these sets form whole boundary edges, which became an edge set.
     EdgesFromNodes {
-        /// The set.
-        set: String,
-        /// How many edges.
-        count: usize,
+        /// The sets.
+        sets: Vec<String>,
     },
     /// Nodes, elements or members of sets that belong to an assembly, not to its part, were passed over.
     OfAssembly {
@@ -167,10 +166,12 @@ impl fmt::Display for Note {
             Self::InnerEdges { set, count } => {
                 write!(out, "edge set '{set}': {count} edges lie inside the mesh")
             }
-            Self::EdgesFromNodes { set, count } => {
+            Self::EdgesFromNodes { sets } => {
+                let names: Vec<&str> = sets.iter().map(String::as_str).collect();
                 write!(
                     out,
-                    "node set '{set}' is also an edge set of {count} boundary edges"
+                    "node sets that form whole boundary edges are edges too: {}",
+                    listed(&names)
                 )
             }
             Self::OfAssembly { at, count } => {

@@ -20,7 +20,7 @@ const ON_LINE: f64 = 1e-6;
 const ON_CIRCLE: f64 = 1e-5;
 
 /// Part of its radius by which corner nodes may be off a circle that they are declared to lie on.
-const NEARLY: f64 = 0.05;
+pub(crate) const NEARLY: f64 = 0.05;
 
 /// Part of the height of the flattest arc over its chord by which nodes may be off it: a crooked line is no arc.
 const OF_HEIGHT: f64 = 0.05;
@@ -85,6 +85,14 @@ pub fn nearly_circle(corners: &[Point]) -> Option<Recognised> {
             radius: fitted.radius,
         },
         residual,
+    })
+}
+
+/// Radius of the circle of least squares through points, and their farthest way from it; infinite where there is none.
+pub(crate) fn best_circle(points: &[Point]) -> [f64; 2] {
+    fit(points).map_or([f64::INFINITY; 2], |circle| {
+        let off = points.iter().map(|&p| circle.off(p)).fold(0.0, f64::max);
+        [circle.radius, off]
     })
 }
 

@@ -189,10 +189,12 @@ impl Resolver<'_> {
                 member[node] = false;
             }
             if let Some(edges) = edges {
-                let (set, count) = (name.clone(), edges.len());
-                self.notes.push(Note::EdgesFromNodes { set, count });
                 found.insert(name.clone(), EdgeSet { edges, curve: None });
             }
+        }
+        if !found.is_empty() {
+            let sets = found.keys().cloned().collect();
+            self.notes.push(Note::EdgesFromNodes { sets });
         }
         named.edge_sets.extend(found);
     }

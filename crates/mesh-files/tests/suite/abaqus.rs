@@ -55,10 +55,9 @@ fn node_sets_along_the_boundary_are_edge_sets() {
         assert!(!file.parts.edge_sets.contains_key(name), "{name}");
     }
     let note = Note::EdgesFromNodes {
-        set: "Left".to_owned(),
-        count: 2,
+        sets: ["Left", "Nall", "base"].map(str::to_owned).into(),
     };
-    assert!(file.notes.contains(&note));
+    assert!(file.notes.contains(&note), "{:?}", file.notes);
 }
 
 #[test]

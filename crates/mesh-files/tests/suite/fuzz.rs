@@ -22,7 +22,7 @@ fn try_all(text: &str) {
             for set in parts.edge_sets.clone().keys() {
                 let _ = recognise_set(&parts, set);
                 let _ = snap(&mut parts.clone(), set);
-                let _ = put_on_circles(&mut parts.clone(), std::slice::from_ref(set));
+                let _ = put_on_circles(&mut parts.clone(), std::slice::from_ref(set), &[]);
             }
             parts
                 .edge_sets

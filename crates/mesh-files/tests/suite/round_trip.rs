@@ -224,7 +224,8 @@ fn a_declared_circle_gets_all_its_nodes() {
         }
         assert!(recognise_set(&rough, "hole").is_err());
         let before = rough.clone();
-        let put = put_on_circles(&mut rough, &["hole".to_owned()]).expect("a circle");
+        let mut known = rough.clone();
+        let put = put_on_circles(&mut rough, &["hole".to_owned()], &[]).expect("a circle");
         let (found, moved) = put[0];
         assert_eq!(moved, path.nodes.len());
         // Corners are even in number, so that the best circle stays but for the square of the part.
@@ -240,8 +241,35 @@ fn a_declared_circle_gets_all_its_nodes() {
                 assert_eq!(own, old);
             }
         }
+        // Where the radius is known, it is that of the circle, and must be near that of the fit.
+        let given = |parts: &mut MeshParts, radii: &[f64]| {
+            put_on_circles(parts, &["hole".to_owned()], radii)
+        };
+        assert_eq!(
+            given(&mut known, &[1.2 * radius]),
+            Err(CurveError::OtherRadius {
+                set: "hole".into(),
+                found: put,
+                given: 1.2 * radius
+            })
+        );
+        assert_eq!(
+            given(&mut known, &[radius; 2]),
+            Err(CurveError::Radii {
+                circles: 1,
+                radii: 2
+            })
+        );
+        given(&mut known, &[1.002 * radius]).expect("a circle");
+        let Some(Curve::Arc { radius: own, .. }) = known.edge_sets["hole"].curve else {
+            panic!("no circle");
+        };
+        assert_eq!(own, 1.002 * radius);
+        for &node in &path.nodes {
+            assert!((off(known.nodes[node]) / radius - 0.002).abs() < 1e-5);
+        }
         let refused = |parts: &mut MeshParts, set: &str| {
-            put_on_circles(parts, &[set.to_owned()]).expect_err("a refusal")
+            put_on_circles(parts, &[set.to_owned()], &[]).expect_err("a refusal")
         };
         let set = || "hole".to_owned();
         let open = refused(&mut rough, "left");
@@ -251,10 +279,18 @@ fn a_declared_circle_gets_all_its_nodes() {
         for node in &mut oval.nodes {
             node[0] = centre[0] + 1.15 * (node[0] - centre[0]);
         }
-        assert_eq!(
-            refused(&mut oval, "hole"),
-            CurveError::NoCircle { set: set() }
-        );
+        let CurveError::NoCircle {
+            set: name,
+            radius: best,
+            off,
+        } = refused(&mut oval, "hole")
+        else {
+            panic!("no refusal of an oval");
+        };
+        assert_eq!(name, set());
+        // Half axes of 1.15 and 1 about their mean.
+        assert!((best / radius - 1.075).abs() < 2e-3, "{best}");
+        assert!((off / radius - 0.075).abs() < 2e-3, "{off}");
         // A node in the hole whose neighbour in the plate follows it: the way back passes that.
         let cells = &exact.blocks[0].connectivity;
         let cell = cells

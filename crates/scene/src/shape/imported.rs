@@ -22,10 +22,10 @@ use self::edges::{edges, uneven};
 use self::placed::{on_circles, placed};
 use super::Shape;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
-use crate::declaration::{Key, NONE, REQUIRED, text, words};
+use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, lengths, text, words};
 use crate::digest::sha256;
 use crate::document::child;
-use crate::units::{Length, UnitName};
+use crate::units::{Length, Quantity, UnitName};
 
 const NAME: &str = "mesh";
 
@@ -37,6 +37,7 @@ pub(super) const ROWS: &[Key] = &[
     words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
     text("elements", NONE, r#""body""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
     words("circles", "list of edges", NONE, r#"["bolt"]"#, "closed edges that are circles, although their nodes are off them by up to 5 % of the radius: they are put onto them"),
+    lengths("radii", NONE, r#"["10 mm"]"#, "radii of `circles`, in their order; those of the fits through their nodes otherwise").range(POSITIVE),
     words("splines", "list of edges", NONE, r#"["end"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
 ];
 
@@ -49,6 +50,8 @@ pub(crate) struct Keys {
     elements: Option<String>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     circles: Vec<String>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    radii: Vec<Quantity<Length>>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     splines: Vec<String>,
 }
@@ -120,9 +123,10 @@ impl Keys {
                 )
             })?,
         };
+        let radii: Vec<f64> = self.radii.iter().map(Quantity::value).collect();
         let circles = match self.circles.as_slice() {
             [] => String::new(),
-            named => format!("circles {named:?} "),
+            named => format!("circles {named:?} {radii:?} "),
         };
         let digest = sha256(format!(
             "{:e} {:?} {:?} {circles}{}",
@@ -137,7 +141,7 @@ impl Keys {
         for node in &mut parts.nodes {
             *node = node.map(|x| scale * x);
         }
-        on_circles(&mut parts, &self.circles, &mut notes)
+        on_circles(&mut parts, &self.circles, &radii, &mut notes)
             .map_err(|[cause, remedy]| refused("circles", cause, &remedy))?;
         let plain = placed(parts, &self.splines, &mut notes).map_err(invalid)?;
         let plain = splines::put_on(plain, &self.splines, &mut notes)

@@ -4,6 +4,7 @@ use stickslip_contact::ContactError;
 use stickslip_engine::model::{LoadTable, ModelError};
 use stickslip_engine::results::LoadValue;
 use stickslip_engine::run::{MovingBody, RunError, WholeMotion};
+use stickslip_fem_core::BodyError;
 use stickslip_present::results::quoted;
 use stickslip_scene::Scene;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
@@ -95,6 +96,11 @@ fn mesh_key(scene: &Scene, body: &str) -> String {
         Division::AngleList(_) => table + ".angles",
         Division::Angular(_) | Division::Linear(_) | Division::Places(_) => table + ".spacing",
     }
+}
+
+fn has_own_mesh(scene: &Scene, body: &str) -> bool {
+    let body = scene.bodies.get(body);
+    body.is_some_and(|body| body.shape.has_own_mesh())
 }
 
 /// The names of `bodies`. A model numbers its bodies in the order of their names.
@@ -228,6 +234,14 @@ fn against(scene: &Scene, moving: &[MovingBody]) -> String {
 pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
     let (key, remedy) = match error {
         RunError::Model(error) => return locate(scene, error),
+        RunError::Body {
+            body,
+            cause: BodyError::LoosePart { .. },
+        } if has_own_mesh(scene, body) => (
+            format!("bodies.{body}.shape.mesh"),
+            "support every part of the mesh that nothing joins to the others, or name the element set that is the body as `elements`; \
+             `stickslip check --sketch` draws its parts",
+        ),
         RunError::Body { body, .. } => (
             format!("bodies.{body}"),
             "check the body's supports: it must not be able to move as a whole without contact",

@@ -46,14 +46,19 @@ pub(super) fn placed(
 pub(super) fn on_circles(
     parts: &mut MeshParts,
     circles: &[String],
+    radii: &[f64],
     notes: &mut Vec<String>,
 ) -> Result<(), [String; 2]> {
-    let put = put_on_circles(parts, circles).map_err(|cause| {
+    let put = put_on_circles(parts, circles, radii).map_err(|cause| {
         let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
         let remedy = match &cause {
             CurveError::MissingSet { .. } => format!("edges of the file: {}", known.join(", ")),
             CurveError::NoChain { .. } => "give each closed edge a name of its own".to_owned(),
             CurveError::Open { set } => format!("name '{set}' in `splines` instead"),
+            CurveError::Radii { .. } => {
+                "give one radius for each circle, in the order of `circles`".to_owned()
+            }
+            CurveError::OtherRadius { .. } => "correct `radii`, or the unit of the file".to_owned(),
             _ => "leave it out of `circles`, or make the mesh again with the circle".to_owned(),
         };
         [cause.to_string(), remedy]
