@@ -6,17 +6,18 @@
 //! Sources: *VTK File Formats*, sections "XML File Formats" and "UnstructuredGrid"; cell types of `vtkCellType.h`.
 
 mod arrays;
+mod grid;
 mod groups;
 mod types;
 
-use roxmltree::{Document, Node};
+use roxmltree::Document;
 
 use crate::assemble::{Rules, assemble};
 use crate::error::ReadError;
-use crate::place::{Files, Place, Spot};
-use crate::raw::{Raw, RawBlock};
+use crate::place::Spot;
+use crate::raw::Raw;
 use crate::{Coincident, Imported};
-use arrays::{Array, Layout};
+use grid::{Grid, place};
 
 /// Reads an unstructured grid.
 ///
@@ -46,168 +47,4 @@ pub(crate) fn read(text: &str, coincident: Coincident) -> Result<Imported, ReadE
         merge_twins: true,
     };
     assemble(file, &groups, rules)
-}
-
-fn place(line: u32) -> Place {
-    Files::default().place(Spot { file: 0, line })
-}
-
-/// The one piece of a grid, with what its arrays have in common.
-struct Grid<'a> {
-    document: &'a Document<'a>,
-    piece: Node<'a, 'a>,
-    layout: Layout,
-    points: usize,
-    cells: usize,
-}
-
-impl<'a> Grid<'a> {
-    fn new(document: &'a Document<'a>) -> Result<Self, ReadError> {
-        let file = document.root_element();
-        let kind = file.attribute("type").unwrap_or_default();
-        if !file.has_tag_name("VTKFile") || kind != "UnstructuredGrid" {
-            return Err(ReadError::Format {
-                at: place(1),
-                format: "VTK with an unstructured grid",
-                found: format!("<{} type=\"{kind}\">", file.tag_name().name()),
-            });
-        }
-        let layout = Layout::of(file).map_err(|what| what.at(place(1)))?;
-        let mut pieces = file
-            .children()
-            .filter(|node| node.has_tag_name("UnstructuredGrid"))
-            .flat_map(|grid| grid.children())
-            .filter(|node| node.has_tag_name("Piece"));
-        let first = pieces.next();
-        let Some(piece) = first else {
-            let (at, what) = (line_of(document, file), "a piece with points and cells");
-            return Err(ReadError::Truncated { at, what });
-        };
-        if let Some(second) = pieces.next() {
-            let at = line_of(document, second);
-            return Err(ReadError::Partitioned { at });
-        }
-        let count = |name: &str, what: &'static str| {
-            let found = piece.attribute(name).unwrap_or_default();
-            found.trim().parse().map_err(|_| ReadError::Value {
-                at: line_of(document, piece),
-                what,
-                found: found.to_owned(),
-            })
-        };
-        Ok(Self {
-            document,
-            piece,
-            layout,
-            points: count("NumberOfPoints", "the number of points")?,
-            cells: count("NumberOfCells", "the number of cells")?,
-        })
-    }
-
-    fn place(&self, node: Node<'_, '_>) -> Place {
-        line_of(self.document, node)
-    }
-
-    fn spot(&self, node: Node<'_, '_>) -> Spot {
-        Spot {
-            file: 0,
-            line: self.place(node).line as u32,
-        }
-    }
-
-    /// Arrays in the part `name` of the piece.
-    fn arrays(&self, name: &'static str) -> impl Iterator<Item = Node<'a, 'a>> {
-        let parts = self.piece.children();
-        let parts = parts.filter(move |node| node.has_tag_name(name));
-        parts
-            .flat_map(|part| part.children())
-            .filter(|node| node.has_tag_name("DataArray"))
-    }
-
-    fn array(&self, node: Node<'_, '_>) -> Result<Array, ReadError> {
-        arrays::read(node, self.layout).map_err(|what| what.at(self.place(node)))
-    }
-
-    /// The integers of the array `name` among those of the cells.
-    fn integers(
-        &self,
-        name: &'static str,
-        what: &'static str,
-    ) -> Result<(Node<'a, 'a>, Vec<i64>), ReadError> {
-        let mut all = self.arrays("Cells");
-        let found = all.find(|node| node.attribute("Name") == Some(name));
-        let missing = |node| ReadError::MissingValue {
-            at: self.place(node),
-            what,
-        };
-        let node = found.ok_or_else(|| missing(self.piece))?;
-        match self.array(node)? {
-            Array::Integers(values) => Ok((node, values)),
-            Array::Reals(_) => Err(missing(node)),
-        }
-    }
-
-    fn nodes(&self, raw: &mut Raw) -> Result<(), ReadError> {
-        const WHAT: &str = "three coordinates of every point";
-        let missing = |node| ReadError::MissingValue {
-            at: self.place(node),
-            what: WHAT,
-        };
-        let node = self.arrays("Points").next();
-        let node = node.ok_or_else(|| missing(self.piece))?;
-        let values = self.array(node)?.reals();
-        if values.len() != self.points.saturating_mul(3) {
-            return Err(missing(node));
-        }
-        let spot = self.spot(node);
-        let (all, _) = values.as_chunks();
-        for (number, &at) in all.iter().enumerate() {
-            raw.add_node(number as u64, at, spot)?;
-        }
-        Ok(())
-    }
-
-    fn cells(&self, raw: &mut Raw) -> Result<(), ReadError> {
-        let (_, types) = self.integers("types", "the type of every cell")?;
-        let (_, ends) = self.integers("offsets", "the end of every cell's nodes")?;
-        let (node, connectivity) = self.integers("connectivity", "the nodes of cells")?;
-        let (at, spot) = (self.place(node), self.spot(node));
-        if types.len() != self.cells || ends.len() != self.cells {
-            let what = "a type and an end of the nodes of every cell";
-            return Err(ReadError::MissingValue { at, what });
-        }
-        let mut start = 0;
-        for (number, (&kind, &end)) in types.iter().zip(&ends).enumerate() {
-            let shape = types::shape(kind).map_err(|why| ReadError::ElementType {
-                at: at.clone(),
-                element: number as u64,
-                name: types::name(kind),
-                why,
-            })?;
-            let own = usize::try_from(end)
-                .ok()
-                .and_then(|end| connectivity.get(start..end))
-                .filter(|own| own.len() == shape.nodes());
-            let own: Option<Vec<u64>> = own.and_then(|own| {
-                let numbers = own.iter().map(|&node| u64::try_from(node).ok());
-                numbers.collect()
-            });
-            let nodes = own.ok_or_else(|| ReadError::Value {
-                at: at.clone(),
-                what: "for each cell the end of the nodes that its type has",
-                found: format!("{end} for cell {number}"),
-            })?;
-            raw.add_element(number as u64, shape, &nodes, [0, 0], spot);
-            start += nodes.len();
-        }
-        raw.blocks.push(RawBlock {
-            name: "cells".to_owned(),
-            rank: 0,
-        });
-        Ok(())
-    }
-}
-
-fn line_of(document: &Document<'_>, node: Node<'_, '_>) -> Place {
-    place(document.text_pos_at(node.range().start).row)
 }

@@ -5,8 +5,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::Grid;
 use super::arrays::{Array, has_integers};
+use super::grid::Grid;
 use crate::assemble::{RawEdge, Sets};
 use crate::error::ReadError;
 use crate::note::Note;
