@@ -191,7 +191,8 @@ fn put_on_circle(
 /// Makes a `radius` the `given` one, and returns it.
 fn with_given(set: &str, radius: &mut f64, given: Option<f64>) -> Result<f64, CurveError> {
     if let Some(given) = given {
-        if (given - *radius).abs() > NEARLY * *radius {
+        let is_near = (given - *radius).abs() <= NEARLY * *radius;
+        if !is_near {
             let (set, found) = (set.to_owned(), *radius);
             return Err(CurveError::OtherRadius { set, found, given });
         }

@@ -1,5 +1,6 @@
 //! Files of other programs that are easily taken for something else: what they are, by name or first lines.
 
+use crate::names::listed;
 use crate::{Format, Imported};
 
 /// What a file of another program is.
@@ -98,9 +99,6 @@ impl Foreign {
     }
 }
 
-/// Most names that are listed.
-const MOST_NAMES: usize = 30;
-
 impl Imported {
     /// Names of its edge sets, ascending.
     pub fn edge_names(&self) -> Vec<&str> {
@@ -118,16 +116,5 @@ impl Imported {
             format!("Edges of the file: {}", listed(&edges))
         };
         format!("{edges}. Its points: {}.", listed(&points))
-    }
-}
-
-/// "'a', 'b' and 3 more".
-pub(crate) fn listed(names: &[&str]) -> String {
-    let shown = names.iter().take(MOST_NAMES);
-    let shown: Vec<String> = shown.map(|name| format!("'{name}'")).collect();
-    match names.len() - shown.len() {
-        _ if names.is_empty() => "none".to_owned(),
-        0 => shown.join(", "),
-        more => format!("{} and {more} more", shown.join(", ")),
     }
 }

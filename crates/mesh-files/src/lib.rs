@@ -40,6 +40,7 @@ mod error;
 mod foreign;
 mod gmsh;
 mod lines;
+mod names;
 mod note;
 mod numbers;
 mod pieces;

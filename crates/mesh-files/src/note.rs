@@ -4,7 +4,7 @@ use std::fmt;
 
 use stickslip_fem_core::mesh::{ElementBlock, Point};
 
-use crate::foreign::listed;
+use crate::names::listed;
 use crate::place::Place;
 use crate::quality::{self, Flaw};
 

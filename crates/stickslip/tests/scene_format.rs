@@ -79,6 +79,9 @@ force = { direction = [-1, 0], steps = ["1 kN"] }
 const OF_OUTLINES: [(&str, &str); 2] = [("bodies.NAME", "position"), ("bodies.NAME", "angle")];
 const OUTLINE: &str = r#"{ outline = { start = ["-60 mm", "-20 mm"], edges = [{ name = "bottom", to = ["20 mm", "-20 mm"] }, { name = "right", to = ["20 mm", "20 mm"] }, { name = "top", to = ["-60 mm", "20 mm"] }, { name = "left" }] } }"#;
 
+/// Keys that say something of what another key of their table names.
+const GO_WITH: [((&str, &str), &str); 1] = [(("bodies.NAME.shape.mesh", "radii"), "circles")];
+
 fn scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")
 }
@@ -187,7 +190,14 @@ fn the_reader_accepts_every_example() {
             };
             let outline = OF_OUTLINES.contains(&(table.path, key.name));
             let outline = outline.then(|| format!("{place}.shape={OUTLINE}"));
-            let needed = needed(&table).into_iter().chain(outline);
+            let other = GO_WITH
+                .iter()
+                .find(|(own, _)| *own == (table.path, key.name));
+            let other = other.and_then(|(_, other)| {
+                let other = table.keys.iter().find(|key| key.name == *other)?;
+                example(&table, other)
+            });
+            let needed = needed(&table).into_iter().chain(outline).chain(other);
             let overrides: Vec<_> = needed.chain([own]).collect();
             // Elsewhere the base may no longer fit: a plate that became a block has no hole. Nor has it the bolts of a fastener.
             let findings = read(&overrides)

@@ -35,7 +35,11 @@ pub(super) fn read(grid: &Grid<'_>, raw: &mut Raw) -> Result<Sets, ReadError> {
                 _ => Vec::new(),
             };
             let kinds: BTreeSet<i64> = values.iter().copied().filter(|&value| value != 0).collect();
-            if kinds.is_empty() || kinds.len() > MOST_SETS || name.starts_with("vtk") {
+            if kinds.is_empty()
+                || kinds.len() > MOST_SETS
+                || name.is_empty()
+                || name.starts_with("vtk")
+            {
                 raw.notes.push(Note::Skipped {
                     keyword: format!("array '{name}' of {part}"),
                     at: grid.place(node),

@@ -97,6 +97,25 @@ fn a_grid_of_vtk_is_a_mesh_too() {
     );
     let written = fs::read_to_string(folder.path().join("scene-results/summary.json")).unwrap();
     holds(&written, &["array 'u' of PointData passed over: line 9"]);
+    let raw = [grid.as_bytes(), b"<AppendedData encoding=\"raw\">_\xff\xfe"].concat();
+    fs::write(folder.path().join("part.vtu"), raw).unwrap();
+    one_finding(folder.path(), &["is not UTF-8 text", "data mode Ascii"]);
+}
+
+#[test]
+fn parts_of_a_mesh_that_nothing_holds_are_refused_with_what_to_do() {
+    let two = MESH.replace(
+        "*ELEMENT",
+        "11,20,0\n12,30,0\n13,30,10\n14,20,10\n*ELEMENT,TYPE=CPS4,ELSET=other\n8,11,12,13,14\n*ELEMENT",
+    );
+    let folder = folder(&two);
+    let message = fails(folder.path(), &["run", "scene.toml"]);
+    holds(
+        &message,
+        &["can move freely", "bodies.part.shape.mesh", "as `elements`"],
+    );
+    let one = "bodies.part.shape.mesh.elements=all";
+    succeeds(folder.path(), &["run", "scene.toml", "--set", one]);
 }
 
 #[test]

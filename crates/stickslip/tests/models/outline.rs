@@ -371,7 +371,7 @@ fn meshes_that_are_none_are_refused() {
         (r#"mesh = { file = "none.msh", unit = "mm" }"#, "none.msh"),
         (
             r#"mesh = { file = "solid.stl", unit = "mm" }"#,
-            "neither in .msh nor in .inp",
+            "none of .msh, .inp and .vtu",
         ),
         (r#"mesh = { file = "solid.inp", unit = "mm" }"#, "C3D8"),
         (r#"mesh = { file = "solid.inp" }"#, "unit"),
