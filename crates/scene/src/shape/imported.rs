@@ -168,7 +168,7 @@ fn readable(cause: &io::Error) -> &'static str {
         ErrorKind::FileTooLarge => {
             "export the plane elements of this body and its sets only, mesh it with fewer elements, or free memory"
         }
-        ErrorKind::InvalidData => "save as text (Gmsh: Mesh.Binary = 0; ParaView: data mode Ascii)",
+        ErrorKind::InvalidData => "save the mesh as text (Gmsh: Mesh.Binary = 0; ParaView: Ascii)",
         ErrorKind::IsADirectory | ErrorKind::InvalidInput => "name the file that holds the mesh",
         ErrorKind::PermissionDenied => "allow reading the file, or copy it",
         _ => "check that the file can be read",

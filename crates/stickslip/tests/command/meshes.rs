@@ -99,7 +99,7 @@ fn a_grid_of_vtk_is_a_mesh_too() {
     holds(&written, &["array 'u' of PointData passed over: line 9"]);
     let raw = [grid.as_bytes(), b"<AppendedData encoding=\"raw\">_\xff\xfe"].concat();
     fs::write(folder.path().join("part.vtu"), raw).unwrap();
-    one_finding(folder.path(), &["is not UTF-8 text", "data mode Ascii"]);
+    one_finding(folder.path(), &["is not UTF-8 text", "ParaView: Ascii"]);
 }
 
 #[test]
