@@ -194,6 +194,39 @@ fn mid_nodes_snap_from_chords_to_the_circle() {
     }
 }
 
+/// Where the radius is known, it is that of the circle, and must be near that of the fit.
+#[test]
+fn a_declared_circle_takes_a_known_radius() {
+    let mut parts = meshes(ElementKind::Q8).swap_remove(0).into_parts();
+    let set = parts.edge_sets.get_mut("hole").expect("a hole");
+    let Some(Curve::Arc { centre, radius }) = set.curve.take() else {
+        panic!("no circle");
+    };
+    let mut given = |radii: &[f64]| put_on_circles(&mut parts, &["hole".to_owned()], radii);
+    let (circles, radii) = (1, 2);
+    assert_eq!(
+        given(&[radius; 2]),
+        Err(CurveError::Radii { circles, radii })
+    );
+    for other in [1.2 * radius, 0.9 * radius, f64::NAN] {
+        let refused = given(&[other]).expect_err("another radius");
+        let is_named = |found: f64| (found / radius - 1.0).abs() < 1e-9;
+        assert!(
+            matches!(refused, CurveError::OtherRadius { found, .. } if is_named(found)),
+            "{refused}"
+        );
+    }
+    let (found, moved) = given(&[1.002 * radius]).expect("a circle")[0];
+    assert!((found.residual / radius - 0.002).abs() < 1e-9);
+    let Some(Curve::Arc { radius: own, .. }) = parts.edge_sets["hole"].curve else {
+        panic!("no circle");
+    };
+    assert_eq!(own, 1.002 * radius);
+    let distance = |[x, y]: &Point| (x - centre[0]).hypot(y - centre[1]);
+    let on = |point: &&Point| (distance(point) / own - 1.0).abs() < 1e-9;
+    assert_eq!(parts.nodes.iter().filter(on).count(), moved);
+}
+
 /// Corners of a hole a thousandth off, mid nodes on the chords between them: all are put onto the circle, and nothing else moves.
 #[test]
 fn a_declared_circle_gets_all_its_nodes() {
@@ -224,7 +257,6 @@ fn a_declared_circle_gets_all_its_nodes() {
         }
         assert!(recognise_set(&rough, "hole").is_err());
         let before = rough.clone();
-        let mut known = rough.clone();
         let put = put_on_circles(&mut rough, &["hole".to_owned()], &[]).expect("a circle");
         let (found, moved) = put[0];
         assert_eq!(moved, path.nodes.len());
@@ -240,33 +272,6 @@ fn a_declared_circle_gets_all_its_nodes() {
             } else {
                 assert_eq!(own, old);
             }
-        }
-        // Where the radius is known, it is that of the circle, and must be near that of the fit.
-        let given = |parts: &mut MeshParts, radii: &[f64]| {
-            put_on_circles(parts, &["hole".to_owned()], radii)
-        };
-        assert_eq!(
-            given(&mut known, &[1.2 * radius]),
-            Err(CurveError::OtherRadius {
-                set: "hole".into(),
-                found: put,
-                given: 1.2 * radius
-            })
-        );
-        assert_eq!(
-            given(&mut known, &[radius; 2]),
-            Err(CurveError::Radii {
-                circles: 1,
-                radii: 2
-            })
-        );
-        given(&mut known, &[1.002 * radius]).expect("a circle");
-        let Some(Curve::Arc { radius: own, .. }) = known.edge_sets["hole"].curve else {
-            panic!("no circle");
-        };
-        assert_eq!(own, 1.002 * radius);
-        for &node in &path.nodes {
-            assert!((off(known.nodes[node]) / radius - 0.002).abs() < 1e-5);
         }
         let refused = |parts: &mut MeshParts, set: &str| {
             put_on_circles(parts, &[set.to_owned()], &[]).expect_err("a refusal")
