@@ -17,11 +17,11 @@ use std::collections::BTreeMap;
 
 use crate::assemble::{Rules, assemble};
 use crate::error::ReadError;
+use crate::imported::{Coincident, Imported};
 use crate::lines::Lines;
 use crate::note::Note;
 use crate::place::{Place, Spot};
 use crate::raw::Raw;
-use crate::{Coincident, Imported};
 use assembly::Assembly;
 use card::Card;
 use data::Data;

@@ -11,11 +11,11 @@ use std::collections::BTreeMap;
 use stickslip_fem_core::mesh::{Mesh, MeshError, MeshParts};
 
 use crate::error::ReadError;
+use crate::imported::{Coincident, Imported};
 use crate::note::Note;
 use crate::place::Spot;
 use crate::quality;
 use crate::raw::Numbered;
-use crate::{Coincident, Imported};
 use cells::Cells;
 use edges::EdgeTable;
 

@@ -1,7 +1,8 @@
 //! Files of other programs that are easily taken for something else: what they are, by name or first lines.
 
+use crate::Format;
+use crate::imported::Imported;
 use crate::names::listed;
-use crate::{Format, Imported};
 
 /// What a file of another program is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

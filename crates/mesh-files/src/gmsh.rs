@@ -15,10 +15,10 @@ use std::collections::BTreeMap;
 
 use crate::assemble::{Rules, assemble};
 use crate::error::ReadError;
+use crate::imported::{Coincident, Imported};
 use crate::note::Note;
 use crate::place::{Files, Place, Spot};
 use crate::raw::Raw;
-use crate::{Coincident, Imported};
 use groups::Groups;
 pub(crate) use types::number_of;
 use words::Words;

@@ -1,6 +1,6 @@
 //! Plane finite-element meshes from files of other programs, and back.
 //!
-//! Text goes in, [`MeshParts`] come out, with the file's own numbers of nodes and elements and [`Note`]s on what was passed over.
+//! Text goes in, [`MeshParts`](stickslip_fem_core::mesh::MeshParts) come out, with the file's own numbers of nodes and elements and [`Note`]s on what was passed over.
 //! What [`read`] returns is accepted by [`Mesh::new`](stickslip_fem_core::mesh::Mesh::new). No file is opened: whoever calls reads
 //! the text, and an `*INCLUDE` is resolved by a closure.
 //!
@@ -39,6 +39,7 @@ mod curves;
 mod error;
 mod foreign;
 mod gmsh;
+mod imported;
 mod lines;
 mod names;
 mod note;
@@ -52,14 +53,13 @@ mod subset;
 mod vtu;
 mod write;
 
-use stickslip_fem_core::mesh::MeshParts;
-
 /// The crate of the meshes.
 pub use stickslip_fem_core;
 
 pub use curves::{put_on_circles, recognise_set, snap, snap_pieces};
 pub use error::{CurveError, ReadError, Unsupported, WriteError};
 pub use foreign::Foreign;
+pub use imported::{Coincident, Imported};
 pub use note::Note;
 pub use pieces::{Piece, recognise_pieces};
 pub use place::Place;
@@ -95,29 +95,6 @@ impl Format {
             Self::Vtk => "vtu",
         }
     }
-}
-
-/// What to do with two nodes of the boundary at one place: closer than 1e-9 of the mesh's size.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Coincident {
-    /// Refuse the mesh: it is most often torn along an inner line by mistake.
-    #[default]
-    Refuse,
-    /// Keep them: the mesh holds several bodies that touch, or a crack.
-    Allow,
-}
-
-/// A mesh and where it comes from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Imported {
-    /// Nodes, cells and sets, ready for [`Mesh::new`](stickslip_fem_core::mesh::Mesh::new).
-    pub parts: MeshParts,
-    /// The file's number of each node, ascending.
-    pub node_numbers: Vec<u64>,
-    /// The file's number of each cell, in the order of the global cell index.
-    pub cell_numbers: Vec<u64>,
-    /// What was passed over or changed.
-    pub notes: Vec<Note>,
 }
 
 /// Reads a mesh; coincident nodes of the boundary are refused.

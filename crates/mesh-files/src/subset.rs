@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use stickslip_fem_core::mesh::{EdgeRef, EdgeSet, ElementBlock, MeshParts};
 
-use crate::Imported;
+use crate::imported::Imported;
 use crate::note::Note;
 
 /// An index that is not kept.

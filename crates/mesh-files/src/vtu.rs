@@ -14,9 +14,9 @@ use roxmltree::Document;
 
 use crate::assemble::{Rules, assemble};
 use crate::error::ReadError;
+use crate::imported::{Coincident, Imported};
 use crate::place::Spot;
 use crate::raw::Raw;
-use crate::{Coincident, Imported};
 use grid::{Grid, place};
 
 /// Reads an unstructured grid.

@@ -15,7 +15,7 @@ const FAMILIES: &[(&str, usize)] = &[
     ("laboratory", 4),
     ("laminate", 2),
     ("measure", 10),
-    ("mesh-files", 12),
+    ("mesh-files", 10),
     ("present", 28),
     ("report", 13),
     ("scene", 4),
