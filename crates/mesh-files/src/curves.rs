@@ -126,7 +126,7 @@ pub fn snap(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
 /// known; without any they are those of the fits. Returns each circle, with the farthest way of a corner node, and how many of its nodes were moved.
 ///
 /// # Errors
-/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if the edges of a set do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Radii`];
+/// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if the edges of a set do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Radii`]; [`CurveError::Twice`];
 /// [`CurveError::OtherRadius`] if one is off the fit by more than corner nodes may be; [`CurveError::Squeezed`] if a cell folds, or gets a shape for which a file is refused.
 pub fn put_on_circles(
     parts: &mut MeshParts,
@@ -137,7 +137,12 @@ pub fn put_on_circles(
         let (circles, radii) = (names.len(), radii.len());
         return Err(CurveError::Radii { circles, radii });
     }
+    let is_before = |(k, set): &(usize, &String)| names[..*k].contains(set);
     let named = names.iter().enumerate();
+    if let Some((_, set)) = named.clone().find(is_before) {
+        let set = set.clone();
+        return Err(CurveError::Twice { set });
+    }
     let put = named.map(|(k, set)| put_on_circle(parts, set, radii.get(k).copied()));
     let put: Vec<_> = put.collect::<Result<_, _>>()?;
     if !names.is_empty() && are_squeezed(parts) {
@@ -168,9 +173,13 @@ fn put_on_circle(
         .filter_map(|&k| parts.nodes.get(k).copied())
         .collect();
     let mut found = nearly_circle(&corners).ok_or_else(|| {
-        let [radius, off] = best_circle(&corners);
-        let set = name();
-        CurveError::NoCircle { set, radius, off }
+        let [radius, off, step] = best_circle(&corners);
+        CurveError::NoCircle {
+            set: name(),
+            radius,
+            off,
+            step,
+        }
     })?;
     let mut moved = 0;
     if let Curve::Arc { centre, radius } = &mut found.curve {

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use crate::place::Place;
 use crate::quality::Flaw;
+use crate::recognise::{LARGEST_TURN, NEARLY};
 
 /// Why elements of a type are no cells of a plane mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,6 +90,32 @@ pub enum ReadError {
         at: Place,
         /// What is not read.
         what: &'static str,
+    },
+    /// An array of VTK whose bytes are not what it says.
+    #[error("{at}: the array is damaged: {what}; export the file again")]
+    Damaged {
+        /// Where.
+        at: Place,
+        /// What is wrong.
+        what: &'static str,
+    },
+    /// Points or cells of VTK that are marked as copies of another part's, or as hidden.
+    #[error(
+        "{at}: array '{array}' marks points or cells as copies or hidden; save the grid without them (in ParaView: Remove Ghost Information)"
+    )]
+    Ghosts {
+        /// Where.
+        at: Place,
+        /// The array.
+        array: String,
+    },
+    /// Two arrays of VTK that make sets of one name.
+    #[error("{at}: two arrays make a set '{set}'; rename one of them")]
+    SameSet {
+        /// Where the second stands.
+        at: Place,
+        /// The set.
+        set: String,
     },
     /// A mesh that was divided for parallel computation.
     #[error("{at}: the mesh is partitioned; save it without partitions")]
@@ -437,21 +464,21 @@ pub enum CurveError {
         set: String,
     },
     /// A closed chain that is declared to be a circle.
-    #[error(
-        "the corner nodes of edge set '{set}' do not go around one circle, within 5 % of its radius and at most 50° from one to the next: they are up to {off:.3e} away \
-         from the best one, of radius {radius:.6}"
-    )]
+    #[error("the corner nodes of edge set '{set}' do not go around one circle: {}", why_no_circle(*radius, *off, *step))]
     NoCircle {
         /// The set.
         set: String,
-        /// Radius of the circle of least squares `[length]`.
+        /// Radius of the circle of least squares `[length]`; infinite if they lie on a line.
         radius: f64,
         /// The farthest way of a corner node from it `[length]`.
         off: f64,
+        /// Largest angle between neighbours as seen from its centre `[rad]`.
+        step: f64,
     },
     /// A radius that is given for a circle of another one.
     #[error(
-        "the corner nodes of edge set '{set}' lie on a circle of radius {found:.6}, and {given:.6} is given"
+        "the corner nodes of edge set '{set}' lie on a circle of {:.4} times the given radius, which may be at most 5 % off",
+        found / given
     )]
     OtherRadius {
         /// The set.
@@ -460,6 +487,12 @@ pub enum CurveError {
         found: f64,
         /// The one that is given `[length]`.
         given: f64,
+    },
+    /// A set that is declared twice.
+    #[error("edge set '{set}' is declared twice")]
+    Twice {
+        /// The set.
+        set: String,
     },
     /// Another number of radii than of circles.
     #[error("{radii} radii are given for {circles} circles")]
@@ -475,4 +508,24 @@ pub enum CurveError {
         /// The sets.
         sets: String,
     },
+}
+
+fn why_no_circle(radius: f64, off: f64, step: f64) -> String {
+    if !radius.is_finite() {
+        return "they lie on a line".to_owned();
+    }
+    let part = off / radius;
+    if part > NEARLY {
+        let percent = 100.0 * part;
+        return format!(
+            "they are up to {percent:.2} % of its radius away from the best one, and 5 % is the most"
+        );
+    }
+    if step > LARGEST_TURN[0] {
+        let degrees = step.to_degrees();
+        return format!(
+            "its centre sees two neighbours {degrees:.0}° apart, and 50° is the most; mesh it finer"
+        );
+    }
+    "they go forth and back around its centre".to_owned()
 }

@@ -13,6 +13,9 @@ pub struct Foreign {
     pub format: Option<Format>,
 }
 
+/// How a grid of VTK begins, wherever its first element has this attribute.
+const GRID: &str = "<VTKFile type=\"UnstructuredGrid\"";
+
 /// Extensions, what such files are, and how their first line begins where that is no beginning of another text.
 const KINDS: &[(&[&str], Foreign, &[&str])] = &[
     (
@@ -25,11 +28,7 @@ const KINDS: &[(&[&str], Foreign, &[&str])] = &[
         kind("a mesh of Gmsh", Some(Format::Gmsh)),
         &["$MeshFormat", "$NOD"],
     ),
-    (
-        &["vtu"],
-        kind("a mesh of VTK", Some(Format::Vtk)),
-        &["<VTKFile type=\"UnstructuredGrid\""],
-    ),
+    (&["vtu"], kind("a mesh of VTK", Some(Format::Vtk)), &[GRID]),
     (
         &["vtk", "vtp", "pvtu", "pvd"],
         kind("a file of VTK", None),
@@ -87,7 +86,10 @@ impl Foreign {
             .lines()
             .map(str::trim_start);
         let begins_file = |line: &&str| !line.is_empty() && !line.starts_with("<?xml");
-        let first = lines.by_ref().find(begins_file)?;
+        let first = match lines.by_ref().find(begins_file)? {
+            line if line.starts_with("<VTKFile") && line.contains("\"UnstructuredGrid\"") => GRID,
+            line => line,
+        };
         let begins =
             |line: &str, beginnings: &[&str]| beginnings.iter().any(|own| line.starts_with(own));
         let found = KINDS

@@ -33,7 +33,7 @@ const LEAST_TURN: f64 = 1.0 / 180.0 * std::f64::consts::PI;
 
 /// The largest turn `[rad]` between corner nodes of straight edges, and between nodes of curved ones: corners of a square or hexagon lie
 /// on a circle too.
-const LARGEST_TURN: [f64; 2] = [0.88, 1.1];
+pub(crate) const LARGEST_TURN: [f64; 2] = [0.88, 1.1];
 
 /// A curve and how well it fits.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,11 +88,19 @@ pub fn nearly_circle(corners: &[Point]) -> Option<Recognised> {
     })
 }
 
-/// Radius of the circle of least squares through points, and their farthest way from it; infinite where there is none.
-pub(crate) fn best_circle(points: &[Point]) -> [f64; 2] {
-    fit(points).map_or([f64::INFINITY; 2], |circle| {
-        let off = points.iter().map(|&p| circle.off(p)).fold(0.0, f64::max);
-        [circle.radius, off]
+/// Radius of the circle of least squares through the corners of a closed chain, their farthest way from it, and the largest angle `[rad]` between
+/// neighbours as seen from its centre; infinite where there is none.
+pub(crate) fn best_circle(corners: &[Point]) -> [f64; 3] {
+    fit(corners).map_or([f64::INFINITY; 3], |circle| {
+        let off = corners.iter().map(|&p| circle.off(p));
+        let next = corners.iter().cycle().skip(1);
+        let steps = corners.iter().zip(next);
+        let steps = steps.map(|(&a, &b)| circle.turn(a, b).abs());
+        [
+            circle.radius,
+            off.fold(0.0, f64::max),
+            steps.fold(0.0, f64::max),
+        ]
     })
 }
 

@@ -11,15 +11,14 @@ use roxmltree::Node;
 use crate::error::ReadError;
 use crate::place::Place;
 
-/// Most bytes of an array: packed ones may claim any number.
-const MOST_BYTES: usize = 1 << 30;
-
 /// Why an array has no numbers.
 pub(super) enum Refused {
     /// A way of writing that is not read.
     Encoding(&'static str),
-    /// Something else than a number, or bytes that make none.
+    /// Something else than a number.
     Value(String),
+    /// Bytes that are not as many as they say, or are no numbers.
+    Damaged(&'static str),
 }
 
 impl Refused {
@@ -31,6 +30,7 @@ impl Refused {
                 what: "an array of numbers",
                 found,
             },
+            Self::Damaged(what) => ReadError::Damaged { at, what },
         }
     }
 }
@@ -55,12 +55,19 @@ impl Layout {
                 return Err(Refused::Encoding(what));
             }
         };
+        let is_big_endian = match file.attribute("byte_order") {
+            None | Some("LittleEndian") => false,
+            Some("BigEndian") => true,
+            Some(_) => return Err(Refused::Encoding("its byte order is unknown")),
+        };
+        let count = match file.attribute("header_type") {
+            None | Some("UInt32") => 4,
+            Some("UInt64") => 8,
+            Some(_) => return Err(Refused::Encoding("its header type is unknown")),
+        };
         Ok(Self {
-            is_big_endian: file.attribute("byte_order") == Some("BigEndian"),
-            count: match file.attribute("header_type") {
-                Some("UInt64") => 8,
-                _ => 4,
-            },
+            is_big_endian,
+            count,
             is_packed,
         })
     }
@@ -115,14 +122,14 @@ pub(super) fn has_integers(node: Node<'_, '_>) -> bool {
     own.is_some_and(|own| !own.is_real)
 }
 
-/// Reads an array.
-pub(super) fn read(node: Node<'_, '_>, layout: Layout) -> Result<Array, Refused> {
+/// Reads an array of at most `most` numbers.
+pub(super) fn read(node: Node<'_, '_>, layout: Layout, most: usize) -> Result<Array, Refused> {
     let name = node.attribute("type").unwrap_or_default();
     let own = Type::of(name).ok_or_else(|| Refused::Value(format!("type=\"{name}\"")))?;
     let text = node.text().unwrap_or_default();
     match node.attribute("format").unwrap_or("ascii") {
         "ascii" => of_text(own, text),
-        "binary" => of_bytes(own, layout, text),
+        "binary" => of_bytes(own, layout, text, most),
         _ => Err(Refused::Encoding("its arrays stand behind the mesh")),
     }
 }
@@ -140,38 +147,39 @@ fn of_text(own: Type, text: &str) -> Result<Array, Refused> {
     })
 }
 
-fn of_bytes(own: Type, layout: Layout, text: &str) -> Result<Array, Refused> {
-    let bad = || Refused::Value(shown(text.trim()));
-    let bytes = decoded(text).ok_or_else(bad)?;
+fn of_bytes(own: Type, layout: Layout, text: &str, most: usize) -> Result<Array, Refused> {
+    let bytes = decoded(text).ok_or(Refused::Damaged("it is not valid base 64"))?;
     let bytes = if layout.is_packed {
-        unpacked(&bytes, layout)
+        unpacked(&bytes, layout, most.saturating_mul(own.size))?
     } else {
-        plain(&bytes, layout).map(<[u8]>::to_vec)
+        let plain = plain(&bytes, layout).map(<[u8]>::to_vec);
+        plain.ok_or(Refused::Damaged("it has fewer bytes than it states"))?
     };
-    let bytes = bytes
-        .filter(|bytes| bytes.len() % own.size == 0)
-        .ok_or_else(bad)?;
+    if bytes.len() % own.size != 0 {
+        let what = "its bytes make no whole numbers";
+        return Err(Refused::Damaged(what));
+    }
     let words = bytes.chunks_exact(own.size);
     let bits = words.map(|word| bits(word, layout));
-    Ok(if own.is_real && own.size == 4 {
-        Array::Reals(
-            bits.map(|bits| f64::from(f32::from_bits(bits as u32)))
-                .collect(),
-        )
-    } else if own.is_real {
-        Array::Reals(bits.map(f64::from_bits).collect())
-    } else {
-        let unused = 64 - 8 * own.size as u32;
-        let integer = |bits: u64| {
-            let shifted = bits << unused;
-            if own.is_signed {
-                shifted.cast_signed() >> unused
-            } else {
-                (shifted >> unused).cast_signed()
-            }
+    if own.is_real {
+        let real = |bits: u64| match own.size {
+            4 => f64::from(f32::from_bits(bits as u32)),
+            _ => f64::from_bits(bits),
         };
-        Array::Integers(bits.map(integer).collect())
-    })
+        return Ok(Array::Reals(bits.map(real).collect()));
+    }
+    let unused = 64 - 8 * own.size as u32;
+    let integer = |bits: u64| {
+        let shifted = bits << unused;
+        if own.is_signed {
+            return Ok(shifted.cast_signed() >> unused);
+        }
+        let value = shifted >> unused;
+        i64::try_from(value).map_err(|_| Refused::Value(value.to_string()))
+    };
+    Ok(Array::Integers(
+        bits.map(integer).collect::<Result<_, _>>()?,
+    ))
 }
 
 /// The beginning of a text, for messages.
@@ -215,35 +223,36 @@ fn plain(bytes: &[u8], layout: Layout) -> Option<&[u8]> {
     rest.get(..size)
 }
 
-fn unpacked(bytes: &[u8], layout: Layout) -> Option<Vec<u8>> {
-    let (blocks, rest) = count(bytes, layout)?;
+/// The bytes of blocks that are packed, at most `most`: a packed block may claim a thousand times its own size.
+fn unpacked(bytes: &[u8], layout: Layout, most: usize) -> Result<Vec<u8>, Refused> {
+    const SHORT: Refused = Refused::Damaged("it has fewer packed bytes than it states");
+    let (blocks, rest) = count(bytes, layout).ok_or(SHORT)?;
     if blocks == 0 {
-        return Some(Vec::new());
+        return Ok(Vec::new());
     }
-    let (size, rest) = count(rest, layout)?;
-    let (last, rest) = count(rest, layout)?;
-    let total = blocks.checked_mul(size)?;
-    if total > MOST_BYTES {
-        return None;
+    let (size, rest) = count(rest, layout).ok_or(SHORT)?;
+    let (last, rest) = count(rest, layout).ok_or(SHORT)?;
+    let last = if last == 0 { size } else { last };
+    let total = (blocks - 1)
+        .checked_mul(size)
+        .and_then(|full| full.checked_add(last));
+    if last > size || total.is_none_or(|total| total > most) {
+        let what = "it holds more numbers than the grid has points or cells for";
+        return Err(Refused::Damaged(what));
     }
-    let sizes = blocks.checked_mul(layout.count)?;
-    let (mut sizes, mut packed) = rest.split_at_checked(sizes)?;
+    let sizes = blocks.checked_mul(layout.count).ok_or(SHORT)?;
+    let (mut sizes, mut packed) = rest.split_at_checked(sizes).ok_or(SHORT)?;
     let mut found = Vec::new();
-    for block in 0..blocks {
-        let (own, others) = count(sizes, layout)?;
+    for block in 1..=blocks {
+        let (own, others) = count(sizes, layout).ok_or(SHORT)?;
         sizes = others;
-        let part = packed.get(..own)?;
-        packed = &packed[own..];
-        let expected = if block + 1 == blocks && last > 0 {
-            last
-        } else {
-            size
-        };
-        let bytes = decompress_to_vec_zlib_with_limit(part, expected.min(MOST_BYTES)).ok()?;
-        if bytes.len() != expected {
-            return None;
-        }
-        found.extend(bytes);
+        let (part, others) = packed.split_at_checked(own).ok_or(SHORT)?;
+        packed = others;
+        let expected = if block == blocks { last } else { size };
+        let bytes = decompress_to_vec_zlib_with_limit(part, expected);
+        let bytes = bytes.ok().filter(|bytes| bytes.len() == expected);
+        let what = "a packed block does not unpack to its size";
+        found.extend(bytes.ok_or(Refused::Damaged(what))?);
     }
-    Some(found)
+    Ok(found)
 }

@@ -8,6 +8,9 @@ use crate::error::ReadError;
 use crate::place::{Files, Place, Spot};
 use crate::raw::{Raw, RawBlock};
 
+/// Most nodes of a cell that is read.
+const MOST_NODES: usize = 9;
+
 /// Line `line` of the text.
 pub(super) fn place(line: u32) -> Place {
     Files::default().place(Spot { file: 0, line })
@@ -20,6 +23,8 @@ pub(super) struct Grid<'a> {
     layout: Layout,
     pub(super) points: usize,
     pub(super) cells: usize,
+    /// Most numbers of a packed array: far more than a text of this length can hold points and cells.
+    most: usize,
 }
 
 impl<'a> Grid<'a> {
@@ -60,6 +65,7 @@ impl<'a> Grid<'a> {
             document,
             piece,
             layout,
+            most: 16 * document.input_text().len() + (1 << 16),
             points: count("NumberOfPoints", "the number of points")?,
             cells: count("NumberOfCells", "the number of cells")?,
         })
@@ -85,15 +91,18 @@ impl<'a> Grid<'a> {
             .filter(|node| node.has_tag_name("DataArray"))
     }
 
-    pub(super) fn array(&self, node: Node<'_, '_>) -> Result<Array, ReadError> {
-        arrays::read(node, self.layout).map_err(|what| what.at(self.place(node)))
+    /// The numbers of an array, `count` at most.
+    pub(super) fn array(&self, node: Node<'_, '_>, count: usize) -> Result<Array, ReadError> {
+        let most = count.min(self.most);
+        arrays::read(node, self.layout, most).map_err(|what| what.at(self.place(node)))
     }
 
-    /// The integers of the array `name` among those of the cells.
+    /// The integers of the array `name` among those of the cells, `count` at most.
     fn integers(
         &self,
         name: &'static str,
         what: &'static str,
+        count: usize,
     ) -> Result<(Node<'a, 'a>, Vec<i64>), ReadError> {
         let mut all = self.arrays("Cells");
         let found = all.find(|node| node.attribute("Name") == Some(name));
@@ -102,7 +111,7 @@ impl<'a> Grid<'a> {
             what,
         };
         let node = found.ok_or_else(|| missing(self.piece))?;
-        match self.array(node)? {
+        match self.array(node, count)? {
             Array::Integers(values) => Ok((node, values)),
             Array::Reals(_) => Err(missing(node)),
         }
@@ -116,8 +125,9 @@ impl<'a> Grid<'a> {
         };
         let node = self.arrays("Points").next();
         let node = node.ok_or_else(|| missing(self.piece))?;
-        let values = self.array(node)?.reals();
-        if values.len() != self.points.saturating_mul(3) {
+        let count = self.points.saturating_mul(3);
+        let values = self.array(node, count)?.reals();
+        if values.len() != count {
             return Err(missing(node));
         }
         let spot = self.spot(node);
@@ -129,9 +139,11 @@ impl<'a> Grid<'a> {
     }
 
     pub(super) fn cells(&self, raw: &mut Raw) -> Result<(), ReadError> {
-        let (_, types) = self.integers("types", "the type of every cell")?;
-        let (_, ends) = self.integers("offsets", "the end of every cell's nodes")?;
-        let (node, connectivity) = self.integers("connectivity", "the nodes of cells")?;
+        let cells = self.cells;
+        let (_, types) = self.integers("types", "the type of every cell", cells)?;
+        let (_, ends) = self.integers("offsets", "the end of every cell's nodes", cells)?;
+        let most = cells.saturating_mul(MOST_NODES);
+        let (node, connectivity) = self.integers("connectivity", "the nodes of cells", most)?;
         let (at, spot) = (self.place(node), self.spot(node));
         if types.len() != self.cells || ends.len() != self.cells {
             let what = "a type and an end of the nodes of every cell";
@@ -158,8 +170,20 @@ impl<'a> Grid<'a> {
                 what: "for each cell the end of the nodes that its type has",
                 found: format!("{end} for cell {number}"),
             })?;
-            raw.add_element(number as u64, shape, &nodes, [0, 0], spot);
+            // VTK has no rule for which way cells go: each is turned on its own, and folds show as overlaps.
+            let number = number as u64;
+            raw.add_element(number, shape, &nodes, [0, number], spot);
             start += nodes.len();
+        }
+        if start != connectivity.len() {
+            return Err(ReadError::Value {
+                at,
+                what: "an end of the last cell's nodes",
+                found: format!(
+                    "{} nodes, the last cell ends after {start}",
+                    connectivity.len()
+                ),
+            });
         }
         raw.blocks.push(RawBlock {
             name: "cells".to_owned(),

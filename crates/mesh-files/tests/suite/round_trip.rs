@@ -6,14 +6,16 @@ use stickslip_fem_core::generate::{
     Disk, Extent, Generate, Growth, Outline, PlateWithHole, Rectangle, uniform_angles,
 };
 use stickslip_fem_core::material::PlaneState;
-use stickslip_fem_core::mesh::{Curve, EdgeRef, ElementKind, Mesh, MeshParts, Point};
+use stickslip_fem_core::mesh::{
+    Curve, EdgeRef, EdgeSet, ElementBlock, ElementKind, Mesh, MeshParts, Point,
+};
 use stickslip_mesh_files::{
     CurveError, Format, WriteError, put_on_circles, recognise_set, snap, write_inp, write_msh,
 };
 
 use super::{ends, imported};
 
-fn meshes(kind: ElementKind) -> Vec<Mesh> {
+pub(super) fn meshes(kind: ElementKind) -> Vec<Mesh> {
     let growth = Growth::Geometric { aspect: 1.0 };
     let angles = uniform_angles(Extent::Whole, 16);
     let plate = PlateWithHole {
@@ -227,6 +229,37 @@ fn a_declared_circle_takes_a_known_radius() {
     assert_eq!(parts.nodes.iter().filter(on).count(), moved);
 }
 
+/// What is no circle is refused for what it is: six corners on a circle, a set named twice.
+#[test]
+fn refusals_of_declared_circles_say_why() {
+    let mut parts = meshes(ElementKind::Q4).swap_remove(0).into_parts();
+    let twice = ["hole".to_owned(), "hole".to_owned()];
+    let set = || "hole".to_owned();
+    assert_eq!(
+        put_on_circles(&mut parts, &twice, &[]),
+        Err(CurveError::Twice { set: set() })
+    );
+    let corner = |k: usize| {
+        let angle = std::f64::consts::FRAC_PI_3 * k as f64;
+        [angle.cos(), angle.sin()]
+    };
+    let edges = (0..6).map(|element| EdgeRef { element, edge: 0 });
+    let edges = edges.collect();
+    let cells = (0..6).flat_map(|k| [k, (k + 1) % 6, 6]);
+    let mut hexagon = MeshParts {
+        nodes: (0..6).map(corner).chain([[0.0; 2]]).collect(),
+        blocks: vec![ElementBlock {
+            name: "cells".to_owned(),
+            kind: ElementKind::T3,
+            connectivity: cells.collect(),
+        }],
+        edge_sets: [(set(), EdgeSet { edges, curve: None })].into(),
+        ..MeshParts::default()
+    };
+    let refused = put_on_circles(&mut hexagon, &[set()], &[]).expect_err("a refusal");
+    assert!(refused.to_string().contains("60° apart"), "{refused}");
+}
+
 /// Corners of a hole a thousandth off, mid nodes on the chords between them: all are put onto the circle, and nothing else moves.
 #[test]
 fn a_declared_circle_gets_all_its_nodes() {
@@ -288,6 +321,7 @@ fn a_declared_circle_gets_all_its_nodes() {
             set: name,
             radius: best,
             off,
+            ..
         } = refused(&mut oval, "hole")
         else {
             panic!("no refusal of an oval");
