@@ -33,16 +33,12 @@
 
 mod build;
 pub mod declaration;
-pub mod diagnostic;
 pub mod digest;
-pub mod document;
 mod examples;
 mod foreign;
 mod format;
 mod friction;
-pub mod host;
 pub mod keys;
-pub mod limits;
 mod material;
 pub mod open;
 mod overrides;
@@ -69,4 +65,5 @@ pub use {
 
 pub use document::Format;
 pub use scene::{Scene, VERSION};
+pub use stickslip_document::{diagnostic, document, host, limits};
 pub use stickslip_units as units;

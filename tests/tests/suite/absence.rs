@@ -20,6 +20,7 @@ const LIBRARIES: &[&str] = &[
     "crates/text/src",
     "crates/units/src",
     "crates/report/src",
+    "crates/document/src",
     "crates/scene/src",
     "crates/experiment/src",
     "crates/results/src",
@@ -96,13 +97,18 @@ const PATHS: &[Absence] = &[
     Absence {
         what: "models and runs in the readers of scenes",
         marks: &["stickslip_engine"],
-        below: &["crates/scene/src", "crates/experiment/src"],
+        below: &[
+            "crates/document/src",
+            "crates/scene/src",
+            "crates/experiment/src",
+        ],
         except: &[],
     },
     Absence {
         what: "pages in what finds",
         marks: &["stickslip_present", "stickslip_report"],
         below: &[
+            "crates/document/src",
             "crates/scene/src",
             "crates/experiment/src",
             "crates/results/src",
@@ -196,7 +202,10 @@ const CRATES: &[Crate] = &[
 
 /// Crates of this workspace whose types stand in no public item, with the libraries that list them nevertheless. All others are re-exported.
 const INSIDE: &[(&str, &[&str])] = &[
-    ("stickslip-text", &["engine", "measure", "present", "scene"]),
+    (
+        "stickslip-text",
+        &["document", "engine", "measure", "present", "scene"],
+    ),
     ("stickslip-mesh-files", &["present", "scene"]),
     // Their own interface takes scenes and results, whose crates re-export these.
     ("stickslip-contact", &["ladder", "present"]),

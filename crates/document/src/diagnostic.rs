@@ -203,11 +203,7 @@ impl SceneError {
     }
 
     /// A problem of a text that has no key.
-    pub(crate) fn in_text(
-        problem: SceneProblem,
-        source: &Arc<SourceText>,
-        span: Option<Span>,
-    ) -> Self {
+    pub fn in_text(problem: SceneProblem, source: &Arc<SourceText>, span: Option<Span>) -> Self {
         let finding = Finding {
             problem,
             key: String::new(),

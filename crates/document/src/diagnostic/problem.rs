@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use super::laminate::LaminateProblem;
 use super::remedy::{coded, counted, elsewhere, listed, material_remedy, meant, on_lines};
-use crate::units::UnitError;
+use stickslip_units::UnitError;
 
 /// One thing wrong with a scene. Every variant carries the numbers and names that its message and remedy show.
 #[derive(Debug, Clone, PartialEq, Error, Diagnostic)]

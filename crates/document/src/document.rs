@@ -235,7 +235,7 @@ impl Document {
     }
 
     /// The value at a key that is not empty, to be changed.
-    pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Value> {
+    pub fn get_mut(&mut self, key: &str) -> Option<&mut Value> {
         key.split('.')
             .try_fold(&mut self.root, |value, segment| match value {
                 Value::Object(map) => map.get_mut(segment),
