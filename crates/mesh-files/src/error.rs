@@ -495,7 +495,7 @@ pub enum CurveError {
         set: String,
     },
     /// Another number of radii than of circles.
-    #[error("{radii} radii are given for {circles} circles")]
+    #[error("the numbers of circles ({circles}) and of their radii ({radii}) differ")]
     Radii {
         /// How many circles.
         circles: usize,

@@ -7,7 +7,7 @@
 //! | format | node sets | edge sets | element sets |
 //! | --- | --- | --- | --- |
 //! | Gmsh, MSH 2.2 and 4.1 as text | physical points | physical curves | physical surfaces |
-//! | VTK, unstructured grids in XML, `.vtu`, with arrays as text or in base 64 | arrays of integers on points | the same on lines; node sets that form whole boundary edges | the same on cells |
+//! | VTK, unstructured grids in XML, `.vtu`, with arrays as text or in base 64 | arrays of integers on points, but those that number them | the same on lines; node sets that form whole boundary edges | the same on cells |
 //! | Abaqus and CalculiX, `.inp` | `*NSET`, `*SURFACE, TYPE=NODE` | `*SURFACE, TYPE=ELEMENT`; node sets that form whole boundary edges; element sets of lines (T3D2, T3D3) | `*ELSET` |
 //!
 //! A physical group without a name is called `physical-3`. Of an array of integers the points or cells with a value other than 0 are a

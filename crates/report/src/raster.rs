@@ -219,9 +219,12 @@ impl Raster {
             rect.left(),
             rect.top(),
         );
+        let shown = [
+            stretch.sx * self.place.sx * pixels.width() as f32,
+            stretch.sy * self.place.sy * pixels.height() as f32,
+        ];
         // Between pixels as large as the picture's there is nothing to find.
-        let shrunk = stretch.sx * self.place.sx - 1.0;
-        let filter = if shrunk.abs() < 0.01 {
+        let filter = if is_of_its_size(shown, &pixels) {
             FilterQuality::Nearest
         } else {
             FilterQuality::Bilinear
@@ -233,6 +236,12 @@ impl Raster {
         let mask = Self::mask(self.clip.as_ref(), Some(rect), self.place);
         self.pixels.fill_rect(rect, &paint, self.place, mask);
     }
+}
+
+/// Whether an image is `shown` as wide and as high as it is, to a pixel from end to end.
+fn is_of_its_size([width, height]: [f32; 2], pixels: &Pixmap) -> bool {
+    let [own_width, own_height] = [pixels.width(), pixels.height()].map(|count| count as f32);
+    (width - own_width).abs() < 1.0 && (height - own_height).abs() < 1.0
 }
 
 fn rect(area: &Area) -> Option<Rect> {
@@ -263,4 +272,18 @@ fn pixmap(image: &Image) -> Option<Pixmap> {
         }
     }
     Some(pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn images_of_their_own_size_are_not_interpolated() {
+        let pixels = Pixmap::new(2000, 30).expect("pixels");
+        assert!(is_of_its_size([2000.0, 30.4], &pixels));
+        for other in [[2000.0, 60.0], [2002.0, 30.0], [1000.0, 15.0]] {
+            assert!(!is_of_its_size(other, &pixels), "{other:?}");
+        }
+    }
 }

@@ -179,6 +179,15 @@ pub enum ContactFinding {
         /// Clearance as a part of the hole's radius.
         clearance: f64,
     },
+    /// The radius of one of its circles is fitted to nodes whose distance from it counts beside the clearance.
+    FittedRadius {
+        /// The circle.
+        edge: String,
+        /// How far its corner nodes were from it at most `[mm]`.
+        off: Quantity,
+        /// Clearance, negative for an interference `[mm]`.
+        clearance: Quantity,
+    },
     /// It ends beyond the fine part of its mesh.
     BeyondFineMesh {
         /// The load step with the farthest end.

@@ -9,6 +9,8 @@ use crate::results::{ContactFinding, Finding, Quantity};
 
 /// Clearance, as a part of the hole's radius, from which pairing points at equal angles is reported.
 const WIDE_CLEARANCE: f64 = 0.1;
+/// Part of the clearance from which the distance of nodes from a fitted circle is reported.
+const OF_CLEARANCE: f64 = 0.05;
 /// Part of the hole's radius by which coordinates of files are rounded.
 const NOWHERE: f64 = 1e-4;
 
@@ -16,7 +18,8 @@ const NOWHERE: f64 = 1e-4;
 pub(super) fn of_scene(plan: &Plan<'_>) -> Vec<Finding> {
     let of_contact = |contact: &ContactPlan<'_>| {
         let wide = contact.radii().and_then(wide);
-        let found = wide.into_iter().chain(uneven(plan, contact));
+        let found = wide.into_iter().chain(fitted(plan, contact));
+        let found = found.chain(uneven(plan, contact));
         let found = found.map(|finding| Finding::about(&contact.of.name, finding));
         found.collect::<Vec<_>>()
     };
@@ -97,6 +100,22 @@ fn uneven(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<ContactFinding> 
     (apart > 1e-9 * first).then(|| ContactFinding::UnequalThickness {
         bodies: bodies.map(|body| body.name.to_owned()),
         thickness: [first, second].map(Quantity::Length),
+    })
+}
+
+/// A circle whose radius is only that of the best one through nodes that are off it.
+fn fitted(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<ContactFinding> {
+    let [hole, inner] = contact.radii()?;
+    let clearance = hole - inner;
+    let fits = contact.sides.iter().filter_map(|side| {
+        let shape = plan.bodies[side.body].shape;
+        Some((side.of, shape.off_fit(&side.of.set)?))
+    });
+    let (edge, off) = fits.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
+    (off > OF_CLEARANCE * clearance.abs()).then(|| ContactFinding::FittedRadius {
+        edge: edge.to_string(),
+        off: Quantity::Length(off),
+        clearance: Quantity::Length(clearance),
     })
 }
 

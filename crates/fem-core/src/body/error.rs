@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::linalg::FactorError;
+use crate::mesh::Point;
 
 /// Why a body cannot be made or condensed.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -71,11 +72,19 @@ pub enum BodyError {
     SectionHeld,
     /// A part of the mesh that shares no node with the rest, or is all of it, has a rigid motion that nothing prevents.
     #[error(
-        "the part of the mesh joined to node {node} can move freely in {motions} of its 3 rigid motions: nothing holds it"
+        "{} can move freely in {motions} of its 3 rigid motions: nothing holds it",
+        match parts {
+            1 => "the mesh".to_owned(),
+            _ => format!("the part of the mesh at ({}, {}), one of {parts},", at[0], at[1]),
+        }
     )]
     LoosePart {
         /// A node of the part.
         node: usize,
+        /// Its place `[length]`.
+        at: Point,
+        /// How many parts the mesh has.
+        parts: usize,
         /// Number of rigid motions that nothing prevents.
         motions: usize,
     },

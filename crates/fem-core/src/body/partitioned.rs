@@ -76,7 +76,12 @@ impl PartitionedBody {
         let motions = structure.motions.count();
         if motions > 0 {
             // A motion of the whole body moves each of its parts, so that any node's part is loose.
-            return Err(BodyError::LoosePart { node: 0, motions });
+            return Err(BodyError::LoosePart {
+                node: 0,
+                at: body.mesh().nodes()[0],
+                parts: 1,
+                motions,
+            });
         }
         if let Some(dof) =
             (prescribed.iter()).find(|&dof| structure.constraints[dof / 2].is_turned())

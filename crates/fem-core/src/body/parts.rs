@@ -21,6 +21,7 @@ pub(super) fn check_parts(
         resisted[node].push(direction);
     }
     let mut seen = vec![false; adjacency.len()];
+    let (mut parts, mut loose) = (0, None);
     for first in 0..adjacency.len() {
         if std::mem::replace(&mut seen[first], true) {
             continue;
@@ -35,15 +36,21 @@ pub(super) fn check_parts(
             }
             next += 1;
         }
-        let motions = free_motions(&body.mesh, &part, &resisted);
-        if motions > 0 {
-            return Err(BodyError::LoosePart {
-                node: first,
-                motions,
-            });
+        parts += 1;
+        if loose.is_none() {
+            let motions = free_motions(&body.mesh, &part, &resisted);
+            loose = (motions > 0).then_some((first, motions));
         }
     }
-    Ok(())
+    match loose {
+        None => Ok(()),
+        Some((node, motions)) => Err(BodyError::LoosePart {
+            node,
+            at: body.mesh.nodes()[node],
+            parts,
+            motions,
+        }),
+    }
 }
 
 /// Number of rigid motions of the nodes `part` that are left free by the unit vectors along which the motion of each node is resisted.

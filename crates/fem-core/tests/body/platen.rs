@@ -229,11 +229,12 @@ fn a_platen_needs_two_nodes() {
         free: [true, true],
     });
     let refused = Arc::new(body).condense(&[]).unwrap_err();
-    assert_eq!(
+    assert!(matches!(
         refused,
         BodyError::LoosePart {
             node: 0,
-            motions: 1
+            motions: 1,
+            ..
         }
-    );
+    ));
 }

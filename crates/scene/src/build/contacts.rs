@@ -280,6 +280,18 @@ impl Builder<'_> {
         // Differences are reported in the unit that the inner radius is written in.
         let unit = crate::units::unit_of(&inner_text);
         let show = |value: f64| unit.map_or_else(|| format!("{value} mm"), |unit| unit.show(value));
+        // A fitted radius is none that the user wrote.
+        let fitted = |edge: &SetRef, text: String| {
+            let body = self.bodies.get(&edge.body);
+            match body.and_then(|body| body.shape.off_fit(&edge.set)) {
+                Some(off) => format!(
+                    "{text}, fitted to nodes up to {off:.1e} mm off it: give the true one in `radii` of the mesh"
+                ),
+                None => text,
+            }
+        };
+        let hole_text = fitted(edges[0], hole_text);
+        let inner_text = fitted(edges[1], inner_text);
         let second = self.bodies.get(&edges[1].body);
         let hollow = second.and_then(|body| body.shape.edge_with(Role::Hole));
         let part = if hollow.is_some() { "bushing" } else { "pin" };

@@ -74,6 +74,7 @@ impl Keys {
             edges: Vec::new(),
             points: Vec::new(),
             uneven: Vec::new(),
+            fitted: Vec::new(),
             notes: Vec::new(),
             splines: Vec::new(),
             turn: 0.0,
@@ -124,9 +125,10 @@ impl Keys {
             })?,
         };
         let radii: Vec<f64> = self.radii.iter().map(Quantity::value).collect();
-        let circles = match self.circles.as_slice() {
-            [] => String::new(),
-            named => format!("circles {named:?} {radii:?} "),
+        let circles = match (self.circles.as_slice(), radii.as_slice()) {
+            ([], []) => String::new(),
+            (named, []) => format!("circles {named:?} "),
+            (named, radii) => format!("circles {named:?} {radii:?} "),
         };
         let digest = sha256(format!(
             "{:e} {:?} {:?} {circles}{}",
@@ -141,8 +143,8 @@ impl Keys {
         for node in &mut parts.nodes {
             *node = node.map(|x| scale * x);
         }
-        on_circles(&mut parts, &self.circles, &radii, &mut notes)
-            .map_err(|[cause, remedy]| refused("circles", cause, &remedy))?;
+        let fitted = on_circles(&mut parts, &self.circles, &radii, &mut notes)
+            .map_err(|(key, [cause, remedy])| refused(key, cause, &remedy))?;
         let plain = placed(parts, &self.splines, &mut notes).map_err(invalid)?;
         let plain = splines::put_on(plain, &self.splines, &mut notes)
             .map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;
@@ -153,6 +155,7 @@ impl Keys {
             edges: Vec::new(),
             points: Vec::new(),
             uneven: Vec::new(),
+            fitted,
             notes,
             splines: self.splines.clone(),
             turn: 0.0,
@@ -188,6 +191,8 @@ pub struct GivenMesh {
     points: Vec<(String, Point)>,
     /// Closed edges that are nearly circles, and by how much they are none.
     uneven: Vec<(String, String)>,
+    /// Circles whose radius is that of the best one through their corner nodes, and how far `[mm]` those were from it.
+    fitted: Vec<(String, f64)>,
     /// What of the file was passed over or changed.
     pub notes: Vec<String>,
     /// Names of edges that are splines.
@@ -291,6 +296,11 @@ impl Outline for GivenMesh {
     fn why_not_round(&self, edge: &str) -> Option<&str> {
         let own = self.uneven.iter().find(|(name, _)| name == edge)?;
         Some(&own.1)
+    }
+
+    fn off_fit(&self, edge: &str) -> Option<f64> {
+        let own = self.fitted.iter().find(|(name, _)| name == edge)?;
+        Some(own.1)
     }
 
     fn notes(&self) -> &[String] {

@@ -63,6 +63,11 @@ pub trait Outline: fmt::Debug {
         None
     }
 
+    /// How far `[mm]` corner nodes were at most from the circle `edge`, where its radius is that of the best circle through them.
+    fn off_fit(&self, _edge: &str) -> Option<f64> {
+        None
+    }
+
     /// What a reader must know of its file.
     fn notes(&self) -> &[String] {
         &[]

@@ -236,7 +236,7 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
         RunError::Model(error) => return locate(scene, error),
         RunError::Body {
             body,
-            cause: BodyError::LoosePart { .. },
+            cause: BodyError::LoosePart { parts: 2.., .. },
         } if has_own_mesh(scene, body) => (
             format!("bodies.{body}.shape.mesh"),
             "support every part of the mesh that nothing joins to the others, or name the element set that is the body as `elements`; \

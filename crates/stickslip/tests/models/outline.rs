@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use stickslip::host::HOST;
-use stickslip::results::{Finding, LadderEnd, Results, Stated};
+use stickslip::results::{ContactFinding, Finding, LadderEnd, Results, Stated};
 use stickslip::run::run;
 use stickslip::scene::{Format, Scene};
 use stickslip_fem_core::mesh::Mesh;
@@ -250,16 +250,16 @@ fn a_mesh_that_was_written_gives_the_same_numbers() {
     }
 }
 
-/// Nodes of a hole that its file has off by 1e-3 of the radius press as those of the circle, once it is declared to be one.
-#[test]
-fn a_declared_circle_gets_its_nodes() {
-    // The best circle is not quite where the pull goes through.
-    let guided = |shape: &str| {
-        pinned(shape).replace(
-            "[[loads]]",
-            "[[supports]]\non = \"plate.left\"\nfix = [\"y\"]\n[[loads]]",
-        )
-    };
+/// A pulled strip on a pin, guided at its end because the best circle is not quite where the pull goes through.
+fn guided(shape: &str) -> String {
+    pinned(shape).replace(
+        "[[loads]]",
+        "[[supports]]\non = \"plate.left\"\nfix = [\"y\"]\n[[loads]]",
+    )
+}
+
+/// Results of a guided strip, and its mesh as `rough.msh` in mm and `metres.msh` in m, with nodes of the hole off it by up to a thousandth.
+fn with_rough_hole() -> (TempDir, Results) {
     let strip = solved(&guided(STRIP), &[""; 0]);
     let mut bodies = strip.bodies.iter();
     let plate = bodies.find(|body| body.name == "plate").unwrap();
@@ -270,10 +270,20 @@ fn a_declared_circle_gets_its_nodes() {
         let off = 1.0 + 1e-3 * (12.9898 * (k * k) as f64).sin();
         parts.nodes[node] = parts.nodes[node].map(|x| off * x);
     }
-    let rough = Mesh::new(parts).unwrap();
     let folder = TempDir::new().unwrap();
-    let text = stickslip_mesh_files::write_msh(&rough).unwrap();
-    fs::write(folder.path().join("rough.msh"), text).unwrap();
+    for (file, scale) in [("rough.msh", 1.0), ("metres.msh", 1e-3)] {
+        let mut own = parts.clone();
+        own.nodes = own.nodes.iter().map(|at| at.map(|x| scale * x)).collect();
+        let text = stickslip_mesh_files::write_msh(&Mesh::new(own).unwrap()).unwrap();
+        fs::write(folder.path().join(file), text).unwrap();
+    }
+    (folder, strip)
+}
+
+/// Nodes of a hole that its file has off by 1e-3 of the radius press as those of the circle, once it is declared to be one.
+#[test]
+fn a_declared_circle_gets_its_nodes() {
+    let (folder, strip) = with_rough_hole();
     let text = |circles: &str| {
         guided(&format!(
             r#"mesh = {{ file = "rough.msh", unit = "mm"{circles} }}"#
@@ -285,6 +295,19 @@ fn a_declared_circle_gets_its_nodes() {
     for (circles, expected) in [
         (r#", circles = ["left"]"#, "edge set 'left' is open"),
         (r#", circles = ["bore"]"#, "no edge set 'bore'"),
+        (r#", circles = ["hole", "hole"]"#, "declared twice"),
+        (
+            r#", radii = ["5 mm"]"#,
+            "numbers of circles (0) and of their radii (1) differ",
+        ),
+        (
+            r#", circles = ["hole"], radii = ["5 mm", "5 mm"]"#,
+            "numbers of circles (1) and of their radii (2) differ",
+        ),
+        (
+            r#", circles = ["hole"], radii = ["5 in"]"#,
+            "times the given radius",
+        ),
     ] {
         let refused = scene(circles).err().unwrap_or_default();
         assert!(refused.contains(expected), "{refused}");
@@ -299,16 +322,51 @@ fn a_declared_circle_gets_its_nodes() {
         note.contains("nodes of 'hole' were put onto its circle of radius 5.00"),
         "{note}"
     );
+    let (edge, off) = fitted(&found).expect("a finding on the radius");
+    assert_eq!(edge, "plate.hole");
+    assert!((4e-3..6e-3).contains(&off), "{off}");
     // The best circle is off by some 1e-4 of the radius, beside a clearance of 2e-3.
     for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
         assert!(apart(own[0], other[0]) < 1e-2, "{own:?} {other:?}");
     }
 }
 
+/// A known radius, in a unit of its own, is that of the circle: only its centre is fitted, and a pin that does not fit is told by which.
+#[test]
+fn a_known_radius_is_that_of_the_circle() {
+    let (folder, strip) = with_rough_hole();
+    let known = guided(
+        r#"mesh = { file = "metres.msh", unit = "m", circles = ["hole"], radii = ["0.5 cm"] }"#,
+    );
+    let found = run(&read(&known, folder.path()).unwrap(), &mut |_| {}).unwrap();
+    for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
+        assert!(apart(own[0], other[0]) < 3e-3, "{own:?} {other:?}");
+    }
+    assert!(fitted(&found).is_none());
+    let fit = guided(r#"mesh = { file = "rough.msh", unit = "mm", circles = ["hole"] }"#);
+    let tight = refusal(
+        folder.path(),
+        &fit,
+        &["bodies.pin.shape.disk.radius=5.01 mm"],
+    );
+    assert!(tight.contains("give the true one in `radii`"), "{tight}");
+}
+
 fn read(text: &str, folder: &Path) -> Result<Scene, String> {
     let none: [&str; 0] = [];
     let scene = Scene::from_text_on(text, Format::Toml, "own.toml", folder, &none, HOST);
     scene.map_err(|error| error.to_string())
+}
+
+/// The circle whose fitted radius is in doubt, and how far its nodes were off it.
+fn fitted(results: &Results) -> Option<(&str, f64)> {
+    results.findings.iter().find_map(|finding| match finding {
+        Finding::Contact {
+            finding: ContactFinding::FittedRadius { edge, off, .. },
+            ..
+        } => Some((edge.as_str(), off.value())),
+        _ => None,
+    })
 }
 
 #[test]

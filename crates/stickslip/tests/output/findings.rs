@@ -157,6 +157,11 @@ fn of_a_contact() -> Vec<Finding> {
             thickness: [25.4, 50.8].map(Quantity::Length),
         },
         ContactFinding::WideClearance { clearance: 0.2 },
+        ContactFinding::FittedRadius {
+            edge: "plate.hole".into(),
+            off: Quantity::Length(0.0254),
+            clearance: Quantity::Length(0.254),
+        },
         ContactFinding::BeyondFineMesh {
             step: 2,
             end: Quantity::Length(-25.4),

@@ -20,6 +20,15 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
              away from θ = 0 their places along the contact differ by as much.",
             100.0 * clearance
         ),
+        ContactFinding::FittedRadius {
+            edge,
+            off,
+            clearance,
+        } => format!(
+            "Contact '{name}' has a clearance of {}, and the radius of '{edge}' is that of the best circle through corner nodes up to {} off it: where              and how hard it presses depends on what the true radius is. Give it in `radii` of the mesh.",
+            shown(*clearance, units),
+            shown(*off, units)
+        ),
         ContactFinding::BeyondFineMesh {
             step,
             end,

@@ -39,31 +39,52 @@ pub(super) fn placed(
     Mesh::new(parts).map_err(|cause| cause.to_string())
 }
 
-/// Puts the edges `circles`, of coordinates in mm, onto their best circles; `notes` get what was moved.
+/// Puts the edges `circles`, of coordinates in mm, onto their best circles, or onto those of the known `radii`; `notes` get what was moved. Returns those whose radius
+/// is fitted, and how far `[mm]` their corner nodes were from it.
 ///
 /// # Errors
-/// What is wrong with an edge, and what to do.
+/// The key that is wrong, what is wrong with an edge, and what to do.
 pub(super) fn on_circles(
     parts: &mut MeshParts,
     circles: &[String],
     radii: &[f64],
     notes: &mut Vec<String>,
-) -> Result<(), [String; 2]> {
+) -> Result<Vec<(String, f64)>, (&'static str, [String; 2])> {
     let put = put_on_circles(parts, circles, radii).map_err(|cause| {
         let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
-        let remedy = match &cause {
-            CurveError::MissingSet { .. } => format!("edges of the file: {}", known.join(", ")),
-            CurveError::NoChain { .. } => "give each closed edge a name of its own".to_owned(),
-            CurveError::Open { set } => format!("name '{set}' in `splines` instead"),
-            CurveError::Radii { .. } => {
-                "give one radius for each circle, in the order of `circles`".to_owned()
+        let (key, remedy) = match &cause {
+            CurveError::MissingSet { .. } => {
+                ("circles", format!("edges of the file: {}", known.join(", ")))
             }
-            CurveError::OtherRadius { .. } => "correct `radii`, or the unit of the file".to_owned(),
-            _ => "leave it out of `circles`, or make the mesh again with the circle".to_owned(),
+            CurveError::NoChain { .. } => {
+                ("circles", "give each closed edge a name of its own".to_owned())
+            }
+            CurveError::Open { set } => ("circles", format!("name '{set}' in `splines` instead")),
+            CurveError::Twice { .. } => ("circles", "name it once".to_owned()),
+            CurveError::Radii { .. } => (
+                "radii",
+                "give one radius for each circle, in the order of `circles`".to_owned(),
+            ),
+            CurveError::OtherRadius { found, given, .. } => (
+                "radii",
+                format!("the file has {found:.6} mm, and {given:.6} mm is given: correct `radii`, or the `unit` of either"),
+            ),
+            CurveError::NoCircle { radius, .. } if radius.is_finite() => (
+                "circles",
+                format!("its best circle has a radius of {radius:.6} mm: leave it out of `circles`, or make the mesh again with the circle"),
+            ),
+            _ => (
+                "circles",
+                "leave it out of `circles`, or make the mesh again with the circle".to_owned(),
+            ),
         };
-        [cause.to_string(), remedy]
+        (key, [cause.to_string(), remedy])
     })?;
+    let mut fitted = Vec::new();
     for (name, (found, moved)) in circles.iter().zip(put) {
+        if radii.is_empty() {
+            fitted.push((name.clone(), found.residual));
+        }
         if let (mesh::Curve::Arc { radius, .. }, 1..) = (found.curve, moved) {
             notes.push(format!(
                 "{moved} nodes of '{name}' were put onto its circle of radius {radius:.6} mm, from which its corners were up to {:.2e} mm away",
@@ -71,5 +92,5 @@ pub(super) fn on_circles(
             ));
         }
     }
-    Ok(())
+    Ok(fitted)
 }
