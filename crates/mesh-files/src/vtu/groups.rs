@@ -43,9 +43,12 @@ pub(super) fn read(grid: &Grid<'_>, raw: &mut Raw) -> Result<Sets, ReadError> {
                 continue;
             }
             let is_plain = kinds.iter().eq([&1]);
-            let set = |value: i64| match is_plain {
-                true => name.to_owned(),
-                false => format!("{name}-{value}"),
+            let set = |value: i64| {
+                if is_plain {
+                    name.to_owned()
+                } else {
+                    format!("{name}-{value}")
+                }
             };
             if let Some(set) = kinds
                 .iter()

@@ -143,8 +143,7 @@ impl Keys {
         for node in &mut parts.nodes {
             *node = node.map(|x| scale * x);
         }
-        let fitted = on_circles(&mut parts, &self.circles, &radii, &mut notes)
-            .map_err(|(key, [cause, remedy])| refused(key, cause, &remedy))?;
+        let fitted = on_circles(&mut parts, &self.circles, &radii, &mut notes)?;
         let plain = placed(parts, &self.splines, &mut notes).map_err(invalid)?;
         let plain = splines::put_on(plain, &self.splines, &mut notes)
             .map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;

@@ -49,7 +49,7 @@ pub(super) fn on_circles(
     circles: &[String],
     radii: &[f64],
     notes: &mut Vec<String>,
-) -> Result<Vec<(String, f64)>, (&'static str, [String; 2])> {
+) -> Result<Vec<(String, f64)>, [String; 3]> {
     let put = put_on_circles(parts, circles, radii).map_err(|cause| {
         let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
         let (key, remedy) = match &cause {
@@ -78,7 +78,7 @@ pub(super) fn on_circles(
                 "leave it out of `circles`, or make the mesh again with the circle".to_owned(),
             ),
         };
-        (key, [cause.to_string(), remedy])
+        [key.to_owned(), cause.to_string(), remedy]
     })?;
     let mut fitted = Vec::new();
     for (name, (found, moved)) in circles.iter().zip(put) {
