@@ -50,6 +50,8 @@ pub enum Dash {
     Dotted,
     /// Strokes and dots in turn.
     DashDotted,
+    /// Strokes twice as long as those of `Dashed`.
+    LongDashed,
 }
 
 impl Dash {
@@ -59,6 +61,7 @@ impl Dash {
             Self::Dashed => &[7.0, 4.0],
             Self::Dotted => &[1.5, 3.0],
             Self::DashDotted => &[8.0, 3.0, 1.5, 3.0],
+            Self::LongDashed => &[14.0, 7.0],
         }
     }
 }

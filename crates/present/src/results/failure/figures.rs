@@ -13,7 +13,13 @@ use stickslip_scene::schema::EnvelopePlane;
 use stickslip_text::{short, significant};
 
 /// Dashes of plies, which distinguish curves without colour.
-const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
+const DASHES: [Dash; 5] = [
+    Dash::Solid,
+    Dash::Dashed,
+    Dash::DashDotted,
+    Dash::Dotted,
+    Dash::LongDashed,
+];
 
 /// The step of the largest load.
 fn peak(view: &FailureView<'_>) -> Option<usize> {

@@ -11,7 +11,7 @@ use stickslip_report::plane::{Marks, PlanePlot};
 use stickslip_report::svg::Svg;
 use toml::Value;
 
-use self::walk::{ahead, along, arrow, beside, inwards, vector};
+use self::walk::{ahead, along, arrow, beside, inwards, keep_apart, vector};
 use super::{Group, Plan};
 use stickslip_engine::results::Results;
 use stickslip_scene::schema::DisplayUnits;
@@ -110,14 +110,18 @@ pub fn sketch(
     springs.points = own.held("supports", gives);
     platens.points = own.held("platens", |_| true);
     loads.paths = own.loads(ARROW * size);
+    let per_pixel = (window[1] - window[0]) / WIDTH;
+    let crosses = [&*held, &*springs, &*platens];
+    let crosses: Vec<Point> = crosses.iter().flat_map(|own| own.points.clone()).collect();
+    let mut outlines = own.outlines(per_pixel);
+    let texts = outlines.iter_mut().map(|own| &mut own.texts);
+    keep_apart(texts, &crosses, per_pixel);
     let cells = Marks {
         paths: own.cells(),
         width: 0.6,
         ..Marks::new("cells", CELLS)
     };
-    let all = std::iter::once(cells)
-        .chain(own.outlines((window[1] - window[0]) / WIDTH))
-        .chain(kinds);
+    let all = std::iter::once(cells).chain(outlines).chain(kinds);
     plot.marks = all.filter(|own| !own.is_empty()).collect();
     plot.render().map(Some)
 }
@@ -239,8 +243,12 @@ impl Sketch<'_> {
     }
 
     fn contacts(&self) -> Vec<Vec<Point>> {
-        let first = |contact: &Value| Some(self.places(contact.get("first")?.as_str()?)?.0);
-        self.list("contacts").filter_map(first).collect()
+        let sides = |contact: &Value| {
+            let side = |key| Some(self.places(contact.get(key)?.as_str()?)?.0);
+            ["first", "second"].map(side)
+        };
+        let sides = self.list("contacts").flat_map(sides);
+        sides.flatten().collect()
     }
 
     /// Places along edges and points that the entries `chosen` of a list hold; an area is marked at its middle.

@@ -6,6 +6,9 @@ use toml::Value;
 /// Width of a letter, and distance of names from their edges `[px]`.
 const LETTER: f64 = 7.0;
 const AWAY: f64 = 11.0;
+/// Height of a line of names, and size of a cross `[px]`.
+const HEIGHT: f64 = 13.0;
+const CROSS: [f64; 2] = [8.0; 2];
 
 /// The name of a set inside its body beside the middle of its edge, of a closed one beside its top; none where the edge is shorter than its name.
 pub(super) fn beside(places: &[Point], name: &str, per_pixel: f64) -> Option<(Point, String)> {
@@ -33,6 +36,34 @@ pub(super) fn beside(places: &[Point], name: &str, per_pixel: f64) -> Option<(Po
         y * AWAY * per_pixel,
     ];
     Some(([at[0] + shift[0], at[1] + shift[1]], name.to_owned()))
+}
+
+/// Drops names that would be written over one another or over `crosses`, the later ones of `texts`.
+pub(super) fn keep_apart<'a>(
+    texts: impl Iterator<Item = &'a mut Vec<(Point, String)>>,
+    crosses: &[Point],
+    per_pixel: f64,
+) {
+    let around = |at: Point, size: [f64; 2]| {
+        let half = size.map(|pixels| 0.5 * pixels * per_pixel);
+        [
+            [0, 1].map(|k| at[k] - half[k]),
+            [0, 1].map(|k| at[k] + half[k]),
+        ]
+    };
+    let mut taken: Vec<[Point; 2]> = crosses.iter().map(|&at| around(at, CROSS)).collect();
+    for texts in texts {
+        texts.retain(|(at, name)| {
+            let [low, high] = around(*at, [LETTER * name.chars().count() as f64, HEIGHT]);
+            let meets =
+                |[less, more]: &[Point; 2]| (0..2).all(|k| low[k] < more[k] && less[k] < high[k]);
+            let is_free = !taken.iter().any(meets);
+            if is_free {
+                taken.push([low, high]);
+            }
+            is_free
+        });
+    }
 }
 
 /// Twice the area that a walk goes around, counter-clockwise positive.
