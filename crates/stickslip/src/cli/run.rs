@@ -87,11 +87,21 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     let warnings: String = (results.findings.iter())
         .map(|finding| ["warning: ", &sentence(finding, results.units), "\n\n"].concat())
         .collect();
+    let unstated = if results.ladder.is_some() {
+        ""
+    } else {
+        "No errors are stated: `--set analysis.accuracy=\"1 %\"` states those of this mesh; a scene without [mesh] is divided until they are as small.\n\n"
+    };
     // As large as the results of a long history: made for those who read it only.
     let summary = console.json.then(|| output::summary_json(&results));
     let summary = (summary.transpose()).map_err(|error| KeepError::Output(error.into()))?;
     console.result(
-        || format!("{table}\n{warnings}results in {}\n", path.display()),
+        || {
+            format!(
+                "{table}\n{warnings}{unstated}results in {}\n",
+                path.display()
+            )
+        },
         &summary,
     )
 }
