@@ -13,6 +13,7 @@
 //! | [`svg`]      | the finished picture, a self-contained SVG document                      |
 //! | [`raster`]   | the same as a PNG file, with the embedded font                           |
 //! | [`table`]    | tables for the terminal and for the page                                 |
+//! | [`csv`]      | tables as files of values with commas                                    |
 //! | [`page`]     | one self-contained HTML page                                             |
 //! | [`prose`]    | texts of several sentences from templates                                |
 //! | [`plain`]    | text of others, safe for a terminal, a page, a picture and a spreadsheet |
@@ -38,6 +39,7 @@ pub mod axis;
 pub mod cells;
 pub mod chart;
 pub mod color;
+pub mod csv;
 mod error;
 pub mod field;
 mod frame;
@@ -55,6 +57,10 @@ mod shape;
 pub mod svg;
 pub mod table;
 mod text;
+
+/// Takes a file by its name in the folder of results and its bytes, and says why it cannot be kept; may be called from several threads.
+pub type PutFile<'a> =
+    dyn Fn(&str, &[u8]) -> Result<(), Box<dyn std::error::Error + Send + Sync>> + Sync + 'a;
 
 pub use error::FigureError;
 pub use minijinja::context;

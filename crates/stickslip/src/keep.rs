@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use stickslip_engine::results::Results;
-use stickslip_present::experiment::report::{ExperimentReport, ReportError};
+use stickslip_experiment_pages::report::{ExperimentReport, ReportError};
 use stickslip_present::results::{self, OutputError};
 use thiserror::Error;
 

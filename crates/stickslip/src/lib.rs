@@ -39,6 +39,6 @@ pub mod run {
 /// Experiments: from fringe pictures and measured displacements to friction.
 pub mod experiment {
     pub use stickslip_experiment::*;
+    pub use stickslip_experiment_pages::{check, report};
     pub use stickslip_measure::*;
-    pub use stickslip_present::experiment::{check, report};
 }

@@ -28,6 +28,7 @@ const LIBRARIES: &[&str] = &[
     "crates/ladder/src",
     "crates/measure/src",
     "crates/present/src",
+    "crates/experiment-pages/src",
 ];
 
 /// All Rust code of the workspace.
@@ -106,7 +107,11 @@ const PATHS: &[Absence] = &[
     },
     Absence {
         what: "pages in what finds",
-        marks: &["stickslip_present", "stickslip_report"],
+        marks: &[
+            "stickslip_present",
+            "stickslip_experiment_pages",
+            "stickslip_report",
+        ],
         below: &[
             "crates/document/src",
             "crates/scene/src",
@@ -204,14 +209,23 @@ const CRATES: &[Crate] = &[
 const INSIDE: &[(&str, &[&str])] = &[
     (
         "stickslip-text",
-        &["document", "engine", "measure", "present", "scene"],
+        &[
+            "document",
+            "engine",
+            "experiment-pages",
+            "measure",
+            "present",
+            "scene",
+        ],
     ),
     ("stickslip-mesh-files", &["present", "scene"]),
     // Their own interface takes scenes and results, whose crates re-export these.
     ("stickslip-contact", &["ladder", "present"]),
-    ("stickslip-friction", &["ladder", "present"]),
-    ("stickslip-hybrid", &["present"]),
+    ("stickslip-fem-core", &["experiment-pages"]),
+    ("stickslip-friction", &["experiment-pages", "ladder"]),
+    ("stickslip-hybrid", &["experiment-pages"]),
     ("stickslip-joint", &["present"]),
+    ("stickslip-scene", &["experiment-pages"]),
     ("stickslip-laminate", &["present"]),
 ];
 

@@ -11,7 +11,7 @@ use stickslip_text::{decimals, short, significant, tidy};
 use super::display::{EdgeView, energy_unit};
 use super::quantity::Quantity;
 use super::sharing::{is_shared, share};
-use crate::csv::number;
+use stickslip_report::csv::number;
 
 /// One number of an edge.
 pub(super) struct EdgeQuantity {

@@ -7,7 +7,7 @@ use stickslip_report::table::{Columns, Table};
 use stickslip_text::{short, significant, tidy};
 
 use super::quantity::Quantity;
-use crate::csv::number;
+use stickslip_report::csv::number;
 
 /// Reactions up to this part of the largest show as zero.
 const ROUNDING: f64 = 1e-9;

@@ -19,9 +19,9 @@ use crate::keep;
 use stickslip_engine::run::Progress;
 use stickslip_experiment::Experiment;
 use stickslip_experiment::RegionShape;
+use stickslip_experiment_pages::report;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::Depth;
-use stickslip_present::experiment::report;
 use stickslip_scene::Format;
 use stickslip_scene::diagnostic::{SceneError, SourceText};
 use stickslip_scene::document::Document;
@@ -206,7 +206,7 @@ pub(super) fn kind_of(path: &Path) -> Option<Kind> {
 pub(super) fn check(path: &Path, overrides: &[String], console: Console) -> Result<(), Failure> {
     let experiment = Experiment::from_file(path, overrides, host())?;
     let refuse = |error: ExperimentError| at_its_line(&experiment, &error);
-    let checked = stickslip_present::experiment::check::check(&experiment).map_err(refuse)?;
+    let checked = stickslip_experiment_pages::check::check(&experiment).map_err(refuse)?;
     let text = || {
         let line = |(name, text): &(&str, String)| format!("{name:10} {text}");
         let lines: Vec<String> = checked.lines.iter().map(line).collect();

@@ -96,7 +96,10 @@ fn a_grid_of_vtk_is_a_mesh_too() {
         &["run", "scene.toml", "--set", set[0], "--set", set[1]],
     );
     let written = fs::read_to_string(folder.path().join("scene-results/summary.json")).unwrap();
-    holds(&written, &["arrays that are no sets ('u') passed over: line 9"]);
+    holds(
+        &written,
+        &["arrays that are no sets ('u') passed over: line 9"],
+    );
     let raw = [grid.as_bytes(), b"<AppendedData encoding=\"raw\">_\xff\xfe"].concat();
     fs::write(folder.path().join("part.vtu"), raw).unwrap();
     one_finding(folder.path(), &["is not UTF-8 text", "ParaView: Ascii"]);

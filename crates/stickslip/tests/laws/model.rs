@@ -78,7 +78,7 @@ fn as_measured(fields: Vec<Measurement>) -> Vec<Measured> {
 
 fn reported(experiment: &Experiment, stage: &LawStage) -> String {
     let mut report = ExperimentReport::new(experiment);
-    stickslip_present::experiment::laws::report(experiment, stage, &mut report);
+    stickslip_experiment_pages::laws::report(experiment, stage, &mut report);
     report.text_answers() + &report.summary().to_string()
 }
 

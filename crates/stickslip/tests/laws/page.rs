@@ -16,7 +16,7 @@ use stickslip::folder::{Overwrite, ResultFolder};
 use stickslip::host::HOST;
 use stickslip::keep;
 use stickslip::scene::Format;
-use stickslip_present::experiment as page;
+use stickslip_experiment_pages as page;
 
 use crate::common::{aluminium, law, measured_fields, window};
 

@@ -1,9 +1,9 @@
 //! The load–displacement curve and the damage of every ply as CSV files.
 
 use super::{ProgressiveView, mode_name};
-use crate::csv::{self, number};
 use crate::results::failure::plain_name;
 use crate::results::{File, FileNote};
+use stickslip_report::csv::{self, number};
 
 /// The files of a followed joint, named by `stem`, and what they hold.
 pub(crate) fn files(view: &ProgressiveView<'_>, stem: &str) -> (Vec<File>, Vec<FileNote>) {

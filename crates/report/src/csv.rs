@@ -1,31 +1,28 @@
 //! CSV files: headings, rows of cells, and numbers as cells.
 
-use stickslip_report::table::Columns;
+use crate::table::Columns;
 use stickslip_text::plain::csv_cell;
 use stickslip_text::tidy;
 
 /// The headings in one line, `theta [deg] | layer | mode`.
-pub(crate) fn headings(line: &str) -> Vec<String> {
+pub fn headings(line: &str) -> Vec<String> {
     line.split(" | ").map(str::to_owned).collect()
 }
 
 /// The bytes of a table of texts.
-pub(crate) fn texts(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
+pub fn texts(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
     let lines = rows.into_iter().map(|row| line(&row));
     lines.collect::<String>().into_bytes()
 }
 
 /// The bytes of a table with a row for each item.
-pub(crate) fn columns<T: Copy>(
-    columns: &Columns<'_, T>,
-    items: impl IntoIterator<Item = T>,
-) -> Vec<u8> {
+pub fn columns<T: Copy>(columns: &Columns<'_, T>, items: impl IntoIterator<Item = T>) -> Vec<u8> {
     let rows = items.into_iter().map(|item| columns.cells(item));
     texts(std::iter::once(columns.header()).chain(rows))
 }
 
 /// The bytes of a table of numbers with all their digits; NaN is left empty.
-pub(crate) fn numbers(headings: Vec<String>, rows: impl IntoIterator<Item = Vec<f64>>) -> Vec<u8> {
+pub fn numbers(headings: Vec<String>, rows: impl IntoIterator<Item = Vec<f64>>) -> Vec<u8> {
     let cell = |value: f64| {
         if value.is_finite() {
             value.to_string()
@@ -51,7 +48,7 @@ fn line(cells: &[String]) -> String {
 }
 
 /// A number for a program: up to twelve significant digits, empty where there is none.
-pub(crate) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     match tidy(value) {
         None => String::new(),
         Some(0.0) => "0".into(),

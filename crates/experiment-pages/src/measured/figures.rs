@@ -9,7 +9,7 @@ use stickslip_report::color::{Color, Colormap};
 use stickslip_report::plane::{Marks, PlanePlot};
 use stickslip_report::svg::Svg;
 
-use crate::experiment::gallery::{caption, edge_of_hole, edges, picture_plot};
+use crate::gallery::{caption, edge_of_hole, edges, picture_plot};
 use stickslip_experiment::Experiment;
 use stickslip_measure::measured::{Measured, PictureField};
 

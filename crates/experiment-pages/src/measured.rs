@@ -10,13 +10,13 @@ use stickslip_report::context;
 use stickslip_report::prose::Prose;
 use stickslip_report::table::Table;
 
-use crate::csv;
-use crate::experiment::findings::yes_or_no;
-use crate::experiment::gallery::caption;
-use crate::experiment::report::ExperimentReport;
+use crate::findings::yes_or_no;
+use crate::gallery::caption;
+use crate::report::ExperimentReport;
 pub(super) use signs::signs;
 use stickslip_experiment::{Experiment, Method, Source, State};
 use stickslip_measure::measured::{Measured, repeated};
+use stickslip_report::csv;
 use stickslip_text::{counted, short, significant};
 
 /// Reports the measured fields of all states.

@@ -7,14 +7,14 @@ use stickslip_hybrid::identify::SlipFit;
 use stickslip_report::table::Table;
 
 use super::identified::describe_dynamic;
-use crate::csv;
-use crate::experiment::report::ExperimentReport;
+use crate::report::ExperimentReport;
 use stickslip_experiment::Experiment;
 use stickslip_measure::Finding;
 use stickslip_measure::chain::Edges;
 use stickslip_measure::finding::Located;
 use stickslip_measure::identified::{Identified, describe_bounds};
 use stickslip_measure::whole::WholeState;
+use stickslip_report::csv;
 use stickslip_text::short;
 
 /// Reports the whole plate; nothing without a state of it.

@@ -7,7 +7,7 @@ use stickslip_report::color::{Color, Colormap};
 use stickslip_report::plane::PlanePlot;
 use stickslip_report::svg::Svg;
 
-use crate::experiment::gallery::{caption, edge_of_hole};
+use crate::gallery::{caption, edge_of_hole};
 use stickslip_experiment::Experiment;
 use stickslip_measure::analysed::{Analysed, TruePlace};
 

@@ -11,12 +11,12 @@ use stickslip_report::context;
 use stickslip_report::prose::Prose;
 use stickslip_report::table::{Column, Table};
 
-use crate::csv;
-use crate::experiment::findings::shown;
-use crate::experiment::report::ExperimentReport;
+use crate::findings::shown;
+use crate::report::ExperimentReport;
 use stickslip_experiment::{Experiment, Method, RegionShape};
 use stickslip_measure::analysed::{Analysed, TruePlace, UNUSED, free_in_region_only, true_edge};
 use stickslip_measure::truth::Truth;
+use stickslip_report::csv;
 use stickslip_text::{short, significant};
 
 /// Reports the edge stresses of all states.

@@ -1,4 +1,7 @@
-//! What was found in measured displacements, as one page with its files.
+//! What was found in measured displacements, as one page with its files: tables, figures and answers.
+//!
+//! [`report`](fn@report) goes through the chain of an experiment and fills an [`ExperimentReport`](report::ExperimentReport), which hands each file as name and bytes to its
+//! caller; nothing here touches a file.
 
 mod analysed;
 pub mod check;
@@ -18,6 +21,9 @@ use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::{self, Album, Depth};
 use stickslip_measure::finding::ignored_keys;
 use stickslip_measure::synthesis::{Camera, Shots};
+
+/// The crates of experiments, findings, figures, runs and values that pages show.
+pub use {serde_json, stickslip_engine, stickslip_experiment, stickslip_measure, stickslip_report};
 
 use gallery::Gallery;
 use identified::FrictionResults;

@@ -10,7 +10,7 @@ use stickslip_report::context;
 use stickslip_report::prose::{Prose, Value};
 use stickslip_report::table::{Column, Table};
 
-use crate::experiment::report::ExperimentReport;
+use crate::report::ExperimentReport;
 use stickslip_experiment::Experiment;
 use stickslip_measure::laws::{Fit, LawStage, Scale, ScaleSource};
 use stickslip_text::short;

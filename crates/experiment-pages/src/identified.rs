@@ -6,9 +6,8 @@ use serde_json::{Value, json};
 use stickslip_hybrid::identify::{Bounds, SlipFit};
 use stickslip_report::table::Table;
 
-use crate::csv;
-use crate::experiment::findings::on_half_the_cells;
-use crate::experiment::report::ExperimentReport;
+use crate::findings::on_half_the_cells;
+use crate::report::ExperimentReport;
 use stickslip_experiment::Experiment;
 use stickslip_measure::analysed::{Analysed, true_edge};
 use stickslip_measure::chain::Friction;
@@ -16,6 +15,7 @@ use stickslip_measure::identified::{
     CONSISTENT, Grip, Identified, SlipZone, describe_bounds, ratio, static_friction,
 };
 use stickslip_measure::truth::Truth;
+use stickslip_report::csv;
 
 /// What is said of either coefficient where nothing touches the edge.
 const NO_CONTACT: &str = "no pressure on the edge: no contact, no friction to identify";

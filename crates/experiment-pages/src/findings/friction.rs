@@ -51,7 +51,7 @@ pub(super) fn of_zones(finding: &FrictionFinding) -> String {
 }
 
 /// What half of the cells give.
-pub(in crate::experiment) fn on_half_the_cells(
+pub(crate) fn on_half_the_cells(
     [along, across]: [usize; 2],
     dynamic: Option<(f64, Bounds)>,
 ) -> String {

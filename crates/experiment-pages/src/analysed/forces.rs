@@ -3,10 +3,10 @@
 use serde_json::{Value, json};
 use stickslip_report::table::Table;
 
-use crate::csv;
-use crate::experiment::findings::why;
+use crate::findings::why;
 use stickslip_experiment::Experiment;
 use stickslip_measure::analysed::{Analysed, ForceCheck, LoadCheck};
+use stickslip_report::csv;
 use stickslip_text::short;
 
 const AXES: [&str; 2] = ["x", "y"];

@@ -163,7 +163,7 @@ pub(super) fn of_forces(experiment: &Experiment, finding: &ForceFinding) -> Stri
 }
 
 /// Why the force on an edge and the load of its state are not compared.
-pub(in crate::experiment) fn why(reason: NotCompared) -> &'static str {
+pub(crate) fn why(reason: NotCompared) -> &'static str {
     match reason {
         NotCompared::NoLoad => "no load is stated",
         NotCompared::ZeroLoad => "the load is zero",

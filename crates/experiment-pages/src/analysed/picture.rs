@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::experiment::findings::yes_or_no;
+use crate::findings::yes_or_no;
 use stickslip_experiment::Experiment;
 use stickslip_measure::analysed::{Analysed, PictureMotion};
 use stickslip_report::table::Table;

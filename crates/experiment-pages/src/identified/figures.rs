@@ -7,8 +7,8 @@ use stickslip_report::chart::{Band, Dash, LineChart, Panels, ReferenceLine, Seri
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
-use crate::experiment::analysed::figures::{TRUTH, angle_axis, truth_within};
-use crate::experiment::gallery::caption;
+use crate::analysed::figures::{TRUTH, angle_axis, truth_within};
+use crate::gallery::caption;
 use stickslip_experiment::Experiment;
 use stickslip_measure::analysed::{Analysed, TruePlace};
 use stickslip_measure::identified::{Identified, ratio};

@@ -6,7 +6,7 @@ use stickslip_report::chart::{Dash, LineChart, Panels, ReferenceLine, Series};
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
-use crate::experiment::gallery::caption;
+use crate::gallery::caption;
 use stickslip_experiment::Experiment;
 use stickslip_measure::whole::WholeState;
 

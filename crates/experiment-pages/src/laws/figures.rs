@@ -9,7 +9,7 @@ use stickslip_report::chart::{LineChart, Panels, ReferenceLine, Series, SeriesSt
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
-use crate::experiment::gallery::caption;
+use crate::gallery::caption;
 use stickslip_experiment::Experiment;
 use stickslip_measure::laws::{Fit, LawStage, Ring};
 

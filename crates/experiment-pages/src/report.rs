@@ -11,9 +11,9 @@ use stickslip_report::table::Table;
 use thiserror::Error;
 
 use super::findings::sentence;
-use crate::PutFile;
 use stickslip_experiment::Experiment;
 use stickslip_measure::finding::{Level, Located};
+use stickslip_report::PutFile;
 
 /// Why a report cannot be written.
 #[derive(Debug, Error)]

@@ -5,9 +5,9 @@ use stickslip_hybrid::calibrate::Estimate;
 use stickslip_hybrid::identify::Bounds;
 
 use super::figures;
-use crate::csv;
 use stickslip_experiment::Experiment;
 use stickslip_measure::laws::{Discrepancy, Fit, LawStage, MeshError, SharedNull};
+use stickslip_report::csv;
 
 pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
     let headings = "law | parameter | unit | best | low | high | deviation | chi_squared | degrees_of_freedom | AICc | BIC";
