@@ -121,9 +121,22 @@ pub fn snap(parts: &mut MeshParts, set: &str) -> Result<usize, CurveError> {
     Ok(moved)
 }
 
+/// A declared circle whose nodes were put onto it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PutOnCircle {
+    /// The circle, and the farthest way of a corner node onto it `[length]`.
+    pub circle: Recognised,
+    /// Radius of the circle of least squares through the corner nodes `[length]`.
+    pub fitted: f64,
+    /// The farthest way of a corner node from that one `[length]`.
+    pub scatter: f64,
+    /// How many of its nodes were moved.
+    pub moved: usize,
+}
+
 /// Moves all nodes of each of the edge sets `names`, closed chains, onto the circle of least squares through its corner nodes ([`nearly_circle`]), and stores the circles in the sets: where
 /// they are known to be some, although their file does not give them to the digits that [`recognise_set`] asks for. `radii` are those of the circles, in the order of `names`, where they are
-/// known; without any they are those of the fits. Returns each circle, with the farthest way of a corner node, and how many of its nodes were moved.
+/// known; without any they are those of the fits.
 ///
 /// # Errors
 /// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if the edges of a set do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Radii`]; [`CurveError::Twice`];
@@ -132,7 +145,7 @@ pub fn put_on_circles(
     parts: &mut MeshParts,
     names: &[String],
     radii: &[f64],
-) -> Result<Vec<(Recognised, usize)>, CurveError> {
+) -> Result<Vec<PutOnCircle>, CurveError> {
     if !radii.is_empty() && radii.len() != names.len() {
         let (circles, radii) = (names.len(), radii.len());
         return Err(CurveError::Radii { circles, radii });
@@ -162,7 +175,7 @@ fn put_on_circle(
     parts: &mut MeshParts,
     set: &str,
     given: Option<f64>,
-) -> Result<(Recognised, usize), CurveError> {
+) -> Result<PutOnCircle, CurveError> {
     let name = || set.to_owned();
     let walk = Walk::of(parts, set)?;
     if !walk.closed {
@@ -172,7 +185,7 @@ fn put_on_circle(
     let corners: Vec<Point> = corners
         .filter_map(|&k| parts.nodes.get(k).copied())
         .collect();
-    let mut found = nearly_circle(&corners).ok_or_else(|| {
+    let mut circle = nearly_circle(&corners).ok_or_else(|| {
         let [radius, off, step] = best_circle(&corners);
         CurveError::NoCircle {
             set: name(),
@@ -181,10 +194,11 @@ fn put_on_circle(
             step,
         }
     })?;
-    let mut moved = 0;
-    if let Curve::Arc { centre, radius } = &mut found.curve {
+    let (mut moved, mut fitted, scatter) = (0, 0.0, circle.residual);
+    if let Curve::Arc { centre, radius } = &mut circle.curve {
+        fitted = *radius;
         let (centre, radius) = (*centre, with_given(set, radius, given)?);
-        found.residual = farthest(&corners, centre, radius);
+        circle.residual = farthest(&corners, centre, radius);
         for node in walk.nodes {
             if let Some(point) = parts.nodes.get_mut(node) {
                 moved += usize::from(project(point, centre, radius));
@@ -192,9 +206,14 @@ fn put_on_circle(
         }
     }
     if let Some(own) = parts.edge_sets.get_mut(set) {
-        own.curve = Some(found.curve);
+        own.curve = Some(circle.curve);
     }
-    Ok((found, moved))
+    Ok(PutOnCircle {
+        circle,
+        fitted,
+        scatter,
+        moved,
+    })
 }
 
 /// Makes a `radius` the `given` one, and returns it.

@@ -56,7 +56,7 @@ mod write;
 /// The crate of the meshes.
 pub use stickslip_fem_core;
 
-pub use curves::{put_on_circles, recognise_set, snap, snap_pieces};
+pub use curves::{PutOnCircle, put_on_circles, recognise_set, snap, snap_pieces};
 pub use error::{CurveError, ReadError, Unsupported, WriteError};
 pub use foreign::Foreign;
 pub use imported::{Coincident, Imported};

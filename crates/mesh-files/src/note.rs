@@ -79,6 +79,16 @@ pub enum Note {
         /// The sets.
         sets: Vec<String>,
     },
+    /// The nodes of each of these sets lie on the boundary without being one chain of whole edges, so that it stays a set of points.
+    NoEdges {
+        /// The sets.
+        sets: Vec<String>,
+    },
+    /// A node set and an edge set have one name and different nodes: the edge set is the edge.
+    OtherNodes {
+        /// Their name.
+        set: String,
+    },
     /// Nodes, elements or members of sets that belong to an assembly, not to its part, were passed over.
     OfAssembly {
         /// Where the first stands.
@@ -174,6 +184,18 @@ impl fmt::Display for Note {
                     listed(&names)
                 )
             }
+            Self::NoEdges { sets } => {
+                let names: Vec<&str> = sets.iter().map(String::as_str).collect();
+                write!(
+                    out,
+                    "node sets on the boundary that are points and no edges, because they lack a node, such as the middle one of a quadratic edge, or are several chains: {}",
+                    listed(&names)
+                )
+            }
+            Self::OtherNodes { set } => write!(
+                out,
+                "the node set '{set}' has other nodes than the edge '{set}', which counts as the edge"
+            ),
             Self::OfAssembly { at, count } => {
                 write!(
                     out,

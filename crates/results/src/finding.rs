@@ -188,6 +188,17 @@ pub enum ContactFinding {
         /// Clearance, negative for an interference `[mm]`.
         clearance: Quantity,
     },
+    /// The radius that is given for one of its circles is farther from that of the nodes than they scatter, and that counts beside the clearance.
+    OtherRadius {
+        /// The circle.
+        edge: String,
+        /// The radius that is given `[mm]`.
+        given: Quantity,
+        /// That of the best circle through its corner nodes `[mm]`.
+        fitted: Quantity,
+        /// How far they are from that at most `[mm]`.
+        off: Quantity,
+    },
     /// It ends beyond the fine part of its mesh.
     BeyondFineMesh {
         /// The load step with the farthest end.

@@ -43,7 +43,7 @@ pub use stickslip_mesher::Path;
 
 pub use self::curve::Curve;
 pub(crate) use self::outline::Sizes;
-pub use self::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Touch};
+pub use self::outline::{CircleFit, Divided, DivisionError, Edge, Meshing, Outline, Role, Touch};
 
 /// Makes everything that lists the shapes: the shape, and its table in scenes.
 macro_rules! shapes {

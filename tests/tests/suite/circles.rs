@@ -9,6 +9,7 @@ use stickslip_tests::imports::{Counted, Imports};
 const FAMILIES: &[(&str, usize)] = &[
     ("contact", 18),
     ("engine", 7),
+    ("experiment-pages", 5),
     ("fem-core", 7),
     ("friction", 2),
     ("joint", 3),
@@ -16,7 +17,7 @@ const FAMILIES: &[(&str, usize)] = &[
     ("laminate", 2),
     ("measure", 10),
     ("mesh-files", 10),
-    ("present", 28),
+    ("present", 23),
     ("report", 13),
     ("scene", 4),
     ("series", 4),

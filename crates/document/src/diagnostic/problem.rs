@@ -5,7 +5,9 @@ use stickslip_fem_core::material::MaterialError;
 use thiserror::Error;
 
 use super::laminate::LaminateProblem;
-use super::remedy::{coded, counted, elsewhere, listed, material_remedy, meant, on_lines};
+use super::remedy::{
+    coded, counted, elsewhere, listed, material_remedy, meant, of_file, on_lines, or_none,
+};
 use stickslip_units::UnitError;
 
 /// One thing wrong with a scene. Every variant carries the numbers and names that its message and remedy show.
@@ -285,7 +287,7 @@ pub enum SceneProblem {
     },
     /// A set that a body's shape does not have.
     #[error("'{body}' ({shape}) has no {what} '{set}'")]
-    #[diagnostic(code(scene::missing_set), help("{}sets of '{body}' that fit here: {}", meant(nearest.as_deref()), known.join(", ")))]
+    #[diagnostic(code(scene::missing_set), help("{}sets of '{body}' that fit here: {}{}", meant(nearest.as_deref()), or_none(known), of_file(notes)))]
     MissingSet {
         /// The body.
         body: String,
@@ -299,6 +301,8 @@ pub enum SceneProblem {
         nearest: Option<String>,
         /// The sets that would do, with the body's name.
         known: Vec<String>,
+        /// What was passed over in the file that the sets are from.
+        notes: Vec<String>,
     },
     /// Two edges that cannot touch in this version.
     #[error("'{first}' and '{second}' cannot be in contact")]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use stickslip_scene::schema::{Hold, Load, LoadKind, Support};
+use stickslip_scene::schema::{Hold, Load, LoadKind, SetRef, Support};
 
 use super::plan::{ContactPlan, Placed, Plan};
 use crate::results::{ContactFinding, Finding, Quantity};
@@ -103,20 +103,34 @@ fn uneven(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<ContactFinding> 
     })
 }
 
-/// A circle whose radius is only that of the best one through nodes that are off it.
-fn fitted(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<ContactFinding> {
-    let [hole, inner] = contact.radii()?;
+/// Circles whose radius is only that of the best one through nodes that are off it, or is another one than theirs.
+fn fitted(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Vec<ContactFinding> {
+    let Some([hole, inner]) = contact.radii() else {
+        return Vec::new();
+    };
     let clearance = hole - inner;
-    let fits = contact.sides.iter().filter_map(|side| {
-        let shape = plan.bodies[side.body].shape;
-        Some((side.of, shape.off_fit(&side.of.set)?))
-    });
-    let (edge, off) = fits.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
-    (off > OF_CLEARANCE * clearance.abs()).then(|| ContactFinding::FittedRadius {
-        edge: edge.to_string(),
-        off: Quantity::Length(off),
-        clearance: Quantity::Length(clearance),
-    })
+    let counts = |length: f64| length > OF_CLEARANCE * clearance.abs();
+    let of_side = |side: &Placed<'_, SetRef>| {
+        let fit = plan.bodies[side.body].shape.fit(&side.of.set)?;
+        let (edge, off) = (side.of.to_string(), Quantity::Length(fit.scatter));
+        match fit.given {
+            None => counts(fit.scatter).then_some(ContactFinding::FittedRadius {
+                edge,
+                off,
+                clearance: Quantity::Length(clearance),
+            }),
+            Some(given) => {
+                let apart = (given - fit.fitted).abs();
+                (counts(apart) && apart > fit.scatter).then_some(ContactFinding::OtherRadius {
+                    edge,
+                    given: Quantity::Length(given),
+                    fitted: Quantity::Length(fit.fitted),
+                    off,
+                })
+            }
+        }
+    };
+    contact.sides.iter().filter_map(of_side).collect()
 }
 
 /// Circles of very different radius touch along a part of each that is not equally long.

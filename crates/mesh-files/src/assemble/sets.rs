@@ -175,9 +175,21 @@ impl Resolver<'_> {
             .collect();
         leaving.sort_unstable();
         let mut member = vec![false; self.mesh.nodes().len()];
-        let mut found = BTreeMap::new();
+        let mut boundary = member.clone();
+        for &(_, edge) in &leaving {
+            for node in self.mesh.edge_nodes(edge).all() {
+                boundary[node] = true;
+            }
+        }
+        let (mut found, mut points) = (BTreeMap::new(), Vec::new());
         for (name, nodes) in &named.node_sets {
-            if named.edge_sets.contains_key(name) {
+            if let Some(own) = named.edge_sets.get(name) {
+                let own = own.edges.iter();
+                let own = own.flat_map(|&edge| self.mesh.edge_nodes(edge).all());
+                if own.collect::<BTreeSet<_>>() != nodes.iter().copied().collect() {
+                    let set = name.clone();
+                    self.notes.push(Note::OtherNodes { set });
+                }
                 continue;
             }
             // Resolved nodes are less than the number of nodes.
@@ -190,7 +202,12 @@ impl Resolver<'_> {
             }
             if let Some(edges) = edges {
                 found.insert(name.clone(), EdgeSet { edges, curve: None });
+            } else if nodes.len() > 2 && nodes.iter().all(|&node| boundary[node]) {
+                points.push(name.clone());
             }
+        }
+        if !points.is_empty() {
+            self.notes.push(Note::NoEdges { sets: points });
         }
         if !found.is_empty() {
             let sets = found.keys().cloned().collect();

@@ -58,6 +58,21 @@ fn node_sets_along_the_boundary_are_edge_sets() {
         sets: ["Left", "Nall", "base"].map(str::to_owned).into(),
     };
     assert!(file.notes.contains(&note), "{:?}", file.notes);
+    let note = Note::NoEdges {
+        sets: ["touching", "two"].map(str::to_owned).into(),
+    };
+    assert!(file.notes.contains(&note), "{:?}", file.notes);
+    // A node set beside a surface of its name, without one of its nodes.
+    let other = FLAT.replacen(
+        "*NSET, NSET=two",
+        "*NSET, NSET=right\n3\n*NSET, NSET=two",
+        1,
+    );
+    let note = Note::OtherNodes {
+        set: "right".to_owned(),
+    };
+    let file = imported(&other, Format::Abaqus);
+    assert!(file.notes.contains(&note), "{:?}", file.notes);
 }
 
 #[test]

@@ -218,8 +218,10 @@ fn a_declared_circle_takes_a_known_radius() {
             "{refused}"
         );
     }
-    let (found, moved) = given(&[1.002 * radius]).expect("a circle")[0];
-    assert!((found.residual / radius - 0.002).abs() < 1e-9);
+    let put = given(&[1.002 * radius]).expect("a circle")[0];
+    assert!((put.circle.residual / radius - 0.002).abs() < 1e-9);
+    assert!((put.fitted / radius - 1.0).abs() < 1e-9 && put.scatter < 1e-9 * radius);
+    let moved = put.moved;
     let Some(Curve::Arc { radius: own, .. }) = parts.edge_sets["hole"].curve else {
         panic!("no circle");
     };
@@ -291,8 +293,9 @@ fn a_declared_circle_gets_all_its_nodes() {
         assert!(recognise_set(&rough, "hole").is_err());
         let before = rough.clone();
         let put = put_on_circles(&mut rough, &["hole".to_owned()], &[]).expect("a circle");
-        let (found, moved) = put[0];
+        let (found, moved) = (put[0].circle, put[0].moved);
         assert_eq!(moved, path.nodes.len());
+        assert_eq!(put[0].scatter, found.residual);
         // Corners are even in number, so that the best circle stays but for the square of the part.
         assert!((found.residual / radius - 1e-3).abs() < 1e-5, "{found:?}");
         let Some(Curve::Arc { radius: put, .. }) = rough.edge_sets["hole"].curve else {

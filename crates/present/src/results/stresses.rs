@@ -7,6 +7,9 @@ use stickslip_text::{short, significant};
 
 use super::quantity::{Quantity, Vector};
 
+/// Part of the larger coordinate of a place below which the other one is rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// What the table says of its places.
 pub(super) const NOTE: &str = "At the nodes of the elastic bodies, each in the step with its largest von Mises stress: of bodies with a yield stress among all steps, of \
                     others among those with fields. Around held points, within two fifths of the body's smaller side, and ends of supported edges, within a twentieth, \
@@ -22,7 +25,9 @@ pub(super) fn table(results: &Results) -> Option<Table> {
     );
     let value = |stress: f64| significant(units.stress.from_base(stress), 4);
     let place = |peak: StressPeak| {
-        let [x, y] = peak.at.map(|at| short(units.length.from_base(at)));
+        let far = peak.at[0].abs().max(peak.at[1].abs());
+        let clean = |at: f64| if at.abs() < ROUNDING * far { 0.0 } else { at };
+        let [x, y] = peak.at.map(|at| short(units.length.from_base(clean(at))));
         format!("{x}, {y}")
     };
     let row = |(index, body)| {

@@ -21,7 +21,7 @@ use stickslip_mesh_files::{Coincident, Format, read_with};
 use self::edges::{edges, uneven};
 use self::placed::{on_circles, placed};
 use super::Shape;
-use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
+use super::outline::{CircleFit, Divided, DivisionError, Edge, Meshing, Outline, Sizes};
 use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, lengths, text, words};
 use crate::digest::sha256;
 use crate::document::child;
@@ -124,6 +124,10 @@ impl Keys {
                 )
             })?,
         };
+        if let Some(both) = self.circles.iter().find(|own| self.splines.contains(own)) {
+            let cause = format!("'{both}' is named in `circles` too");
+            return Err(refused("splines", cause, "name it in one of them"));
+        }
         let radii: Vec<f64> = self.radii.iter().map(Quantity::value).collect();
         let circles = match (self.circles.as_slice(), radii.as_slice()) {
             ([], []) => String::new(),
@@ -190,8 +194,8 @@ pub struct GivenMesh {
     points: Vec<(String, Point)>,
     /// Closed edges that are nearly circles, and by how much they are none.
     uneven: Vec<(String, String)>,
-    /// Circles whose radius is that of the best one through their corner nodes, and how far `[mm]` those were from it.
-    fitted: Vec<(String, f64)>,
+    /// Circles that were declared, and how they were fitted.
+    fitted: Vec<(String, CircleFit)>,
     /// What of the file was passed over or changed.
     pub notes: Vec<String>,
     /// Names of edges that are splines.
@@ -297,7 +301,7 @@ impl Outline for GivenMesh {
         Some(&own.1)
     }
 
-    fn off_fit(&self, edge: &str) -> Option<f64> {
+    fn fit(&self, edge: &str) -> Option<CircleFit> {
         let own = self.fitted.iter().find(|(name, _)| name == edge)?;
         Some(own.1)
     }

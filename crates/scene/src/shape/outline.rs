@@ -14,6 +14,17 @@ use super::Shape;
 use super::curve::Curve;
 use crate::units::{Length, Quantity};
 
+/// A circle that was fitted to the corner nodes of an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CircleFit {
+    /// Radius of the circle of least squares `[mm]`.
+    pub fitted: f64,
+    /// How far corner nodes are from it at most `[mm]`.
+    pub scatter: f64,
+    /// The radius that is given instead `[mm]`.
+    pub given: Option<f64>,
+}
+
 /// A body's shape. Coordinates are those of the body, whose centre stands where [`placement`](crate::placement) puts it; all
 /// lengths in `[mm]`.
 pub trait Outline: fmt::Debug {
@@ -63,8 +74,8 @@ pub trait Outline: fmt::Debug {
         None
     }
 
-    /// How far `[mm]` corner nodes were at most from the circle `edge`, where its radius is that of the best circle through them.
-    fn off_fit(&self, _edge: &str) -> Option<f64> {
+    /// How the circle `edge` was fitted to nodes that are off it.
+    fn fit(&self, _edge: &str) -> Option<CircleFit> {
         None
     }
 

@@ -36,6 +36,19 @@ fn run_prints_its_warnings_below_the_table() {
         table.contains("Contact '") && rest.contains("\n\nresults in out\n"),
         "{printed}"
     );
+    // Errors of this mesh are stated on request only.
+    let unstated = "\n\nNo errors are stated: `--set analysis.accuracy=";
+    assert!(rest.contains(unstated), "{printed}");
+    let asked = [
+        "run",
+        "pin.toml",
+        "--output",
+        "asked",
+        "--set",
+        "analysis.accuracy=10 %",
+    ];
+    let printed = succeeds(folder.path(), &asked);
+    assert!(!printed.contains(unstated), "{printed}");
 }
 
 #[test]
@@ -231,6 +244,10 @@ fn sketches_name_bodies_and_sets() {
     let long = "bodies.plate.shape.plate_with_hole.outline.strip.left=900 mm";
     let wide = drawn(&["--set", long]);
     assert!(wide("top") && !wide("rim"));
+    // So is one over the cross of the pin's support.
+    let small = "bodies.plate.shape.plate_with_hole.outline.strip.left=200 mm";
+    let crossed = drawn(&["--set", small, "--set", "analysis.model=whole"]);
+    assert!(crossed("top") && !crossed("rim"));
     let finer = drawn(&["--set", "mesh.spacing=1 deg"]);
     assert!(finer("left") && !finer("cells"));
 }

@@ -297,6 +297,10 @@ fn a_declared_circle_gets_its_nodes() {
         (r#", circles = ["bore"]"#, "no edge set 'bore'"),
         (r#", circles = ["hole", "hole"]"#, "declared twice"),
         (
+            r#", circles = ["hole"], splines = ["hole"]"#,
+            "named in `circles` too",
+        ),
+        (
             r#", radii = ["5 mm"]"#,
             "numbers of circles (0) and of their radii (1) differ",
         ),
@@ -342,7 +346,13 @@ fn a_known_radius_is_that_of_the_circle() {
     for (own, other) in pressed(&found).iter().zip(pressed(&strip)) {
         assert!(apart(own[0], other[0]) < 3e-3, "{own:?} {other:?}");
     }
-    assert!(fitted(&found).is_none());
+    assert!(fitted(&found).is_none() && other(&found).is_none());
+    // Nodes off the hole by 0.005 mm are on no circle whose radius is larger by 0.05 mm.
+    let wide = known.replace("0.5 cm", "0.505 cm");
+    let found = run(&read(&wide, folder.path()).unwrap(), &mut |_| {}).unwrap();
+    let (edge, radii) = other(&found).expect("a finding on the radius");
+    assert_eq!((edge, radii[0]), ("plate.hole", 5.05));
+    assert!(apart(radii[1], 5.0) < 1e-3, "{radii:?}");
     let fit = guided(r#"mesh = { file = "rough.msh", unit = "mm", circles = ["hole"] }"#);
     let tight = refusal(
         folder.path(),
@@ -356,6 +366,23 @@ fn read(text: &str, folder: &Path) -> Result<Scene, String> {
     let none: [&str; 0] = [];
     let scene = Scene::from_text_on(text, Format::Toml, "own.toml", folder, &none, HOST);
     scene.map_err(|error| error.to_string())
+}
+
+/// The circle whose radius is another one than that of its nodes, and both.
+fn other(results: &Results) -> Option<(&str, [f64; 2])> {
+    results.findings.iter().find_map(|finding| match finding {
+        Finding::Contact {
+            finding:
+                ContactFinding::OtherRadius {
+                    edge,
+                    given,
+                    fitted,
+                    ..
+                },
+            ..
+        } => Some((edge.as_str(), [given.value(), fitted.value()])),
+        _ => None,
+    })
 }
 
 /// The circle whose fitted radius is in doubt, and how far its nodes were off it.

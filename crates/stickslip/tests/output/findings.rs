@@ -162,6 +162,12 @@ fn of_a_contact() -> Vec<Finding> {
             off: Quantity::Length(0.0254),
             clearance: Quantity::Length(0.254),
         },
+        ContactFinding::OtherRadius {
+            edge: "plate.hole".into(),
+            given: Quantity::Length(25.4),
+            fitted: Quantity::Length(26.4),
+            off: Quantity::Length(0.0254),
+        },
         ContactFinding::BeyondFineMesh {
             step: 2,
             end: Quantity::Length(-25.4),

@@ -24,28 +24,19 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             edge,
             off,
             clearance,
-        } => format!(
-            "Contact '{name}' has a clearance of {}, and the radius of '{edge}' is that of the best circle through corner nodes up to {} off it: where              and how hard it presses depends on what the true radius is. Give it in `radii` of the mesh.",
-            shown(*clearance, units),
-            shown(*off, units)
-        ),
+        } => fitted_radius(name, edge, [*off, *clearance], units),
+        ContactFinding::OtherRadius {
+            edge,
+            given,
+            fitted,
+            off,
+        } => other_radius(name, edge, [*given, *fitted, *off], units),
         ContactFinding::BeyondFineMesh {
             step,
             end,
             both_ends,
             limit,
-        } => {
-            let at = if *both_ends {
-                format!("±{}", shown(end.abs(), units))
-            } else {
-                format!("{} = {}", symbol(*end), shown(*end, units))
-            };
-            format!(
-                "Contact '{name}' ends at {at} in load step {step}, beyond the fine part of its mesh, which ends at ±{}: stresses near that end are as \
-                 accurate as the coarser mesh there. mesh.fine_to moves the limit.",
-                shown(*limit, units)
-            )
-        }
+        } => beyond_fine_mesh(name, *step, [*end, *limit], *both_ends, units),
         ContactFinding::BeyondFacing { step, at } => format!(
             "Contact '{name}' reaches {} = {} in load step {step}, where its edges cease to face each other before the first one ends: contact beyond is not found. \
              Let the second edge go on there, or make it the first.",
@@ -111,6 +102,57 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
         ContactFinding::GapsUndetermined { bodies, steps } => gaps(name, bodies, steps),
         ContactFinding::SlipUndetermined { bodies, steps } => slip(name, bodies, steps),
     }
+}
+
+/// A contact ends in `step` at `end`, beyond the `limit` of its fine mesh.
+fn beyond_fine_mesh(
+    name: &str,
+    step: usize,
+    [end, limit]: [Quantity; 2],
+    both_ends: bool,
+    units: DisplayUnits,
+) -> String {
+    let at = if both_ends {
+        format!("±{}", shown(end.abs(), units))
+    } else {
+        format!("{} = {}", symbol(end), shown(end, units))
+    };
+    format!(
+        "Contact '{name}' ends at {at} in load step {step}, beyond the fine part of its mesh, which ends at ±{}: stresses near that end are as \
+         accurate as the coarser mesh there. mesh.fine_to moves the limit.",
+        shown(limit, units)
+    )
+}
+
+/// The radius of `edge` is fitted to nodes that are `off` it.
+fn fitted_radius(
+    name: &str,
+    edge: &str,
+    [off, clearance]: [Quantity; 2],
+    units: DisplayUnits,
+) -> String {
+    format!(
+        "Contact '{name}' has a clearance of {}, and the radius of '{edge}' is that of the best circle through corner nodes up to {} off it: where \
+         and how hard it presses depends on what the true radius is. Give it in `radii` of the mesh.",
+        shown(clearance, units),
+        shown(off, units)
+    )
+}
+
+/// The radius of `edge` is `given` as another one than that `fitted` to its nodes.
+fn other_radius(
+    name: &str,
+    edge: &str,
+    [given, fitted, off]: [Quantity; 3],
+    units: DisplayUnits,
+) -> String {
+    format!(
+        "Contact '{name}': the radius {} that is given for '{edge}' is not that of its nodes, which lie within {} of a circle of radius {}. The mesh was moved onto the \
+         given one. Correct `radii`, or make the mesh again with it.",
+        shown(given, units),
+        shown(off, units),
+        shown(fitted, units)
+    )
 }
 
 fn unequal_thickness(

@@ -3,6 +3,8 @@
 use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
 use stickslip_mesh_files::{CurveError, put_on_circles, recognise_set, snap, snap_pieces};
 
+use crate::shape::outline::CircleFit;
+
 /// The mesh of a file with the known curves of its edges but `splines`, and its mid nodes on them; `notes` get what was moved.
 pub(super) fn placed(
     mut parts: MeshParts,
@@ -39,8 +41,8 @@ pub(super) fn placed(
     Mesh::new(parts).map_err(|cause| cause.to_string())
 }
 
-/// Puts the edges `circles`, of coordinates in mm, onto their best circles, or onto those of the known `radii`; `notes` get what was moved. Returns those whose radius
-/// is fitted, and how far `[mm]` their corner nodes were from it.
+/// Puts the edges `circles`, of coordinates in mm, onto their best circles, or onto those of the known `radii`; `notes` get what was moved. Returns how they were
+/// fitted.
 ///
 /// # Errors
 /// The key that is wrong, what is wrong with an edge, and what to do.
@@ -49,7 +51,7 @@ pub(super) fn on_circles(
     circles: &[String],
     radii: &[f64],
     notes: &mut Vec<String>,
-) -> Result<Vec<(String, f64)>, [String; 3]> {
+) -> Result<Vec<(String, CircleFit)>, [String; 3]> {
     let put = put_on_circles(parts, circles, radii).map_err(|cause| {
         let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
         let (key, remedy) = match &cause {
@@ -73,6 +75,10 @@ pub(super) fn on_circles(
                 "circles",
                 format!("its best circle has a radius of {radius:.6} mm: leave it out of `circles`, or make the mesh again with the circle"),
             ),
+            CurveError::Squeezed { .. } if !radii.is_empty() => (
+                "radii",
+                "correct `radii`, or make the mesh again with circles of these radii".to_owned(),
+            ),
             _ => (
                 "circles",
                 "leave it out of `circles`, or make the mesh again with the circle".to_owned(),
@@ -81,10 +87,14 @@ pub(super) fn on_circles(
         [key.to_owned(), cause.to_string(), remedy]
     })?;
     let mut fitted = Vec::new();
-    for (name, (found, moved)) in circles.iter().zip(put) {
-        if radii.is_empty() {
-            fitted.push((name.clone(), found.residual));
-        }
+    for (k, (name, put)) in circles.iter().zip(put).enumerate() {
+        let fit = CircleFit {
+            fitted: put.fitted,
+            scatter: put.scatter,
+            given: radii.get(k).copied(),
+        };
+        fitted.push((name.clone(), fit));
+        let (found, moved) = (put.circle, put.moved);
         if let (mesh::Curve::Arc { radius, .. }, 1..) = (found.curve, moved) {
             notes.push(format!(
                 "{moved} nodes of '{name}' were put onto its circle of radius {radius:.6} mm, from which its corners were up to {:.2e} mm away",
