@@ -512,7 +512,7 @@ pub enum CurveError {
 
 fn why_no_circle(radius: f64, off: f64, step: f64) -> String {
     if !radius.is_finite() {
-        return "they lie on a line".to_owned();
+        return "no circle goes through them".to_owned();
     }
     let part = off / radius;
     if part > NEARLY {
@@ -524,8 +524,8 @@ fn why_no_circle(radius: f64, off: f64, step: f64) -> String {
     if step > LARGEST_TURN[0] {
         let degrees = step.to_degrees();
         return format!(
-            "its centre sees two neighbours {degrees:.0}° apart, and 50° is the most; mesh it finer"
+            "its centre sees two neighbours {degrees:.1}° apart, and 50.4° is the most; mesh it finer"
         );
     }
-    "they go forth and back around its centre".to_owned()
+    "they go back and forth around its centre".to_owned()
 }

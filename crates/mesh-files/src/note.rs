@@ -194,7 +194,7 @@ impl fmt::Display for Note {
             }
             Self::OtherNodes { set } => write!(
                 out,
-                "the node set '{set}' has other nodes than the edge '{set}', which counts as the edge"
+                "the node set '{set}' has other nodes than the edge set '{set}'; the edge set is used"
             ),
             Self::OfAssembly { at, count } => {
                 write!(

@@ -9,6 +9,8 @@ use crate::results::{ContactFinding, Finding, Quantity};
 
 /// Clearance, as a part of the hole's radius, from which pairing points at equal angles is reported.
 const WIDE_CLEARANCE: f64 = 0.1;
+/// Part of a radius that is rounding.
+const ROUNDING: f64 = 1e-12;
 /// Part of the clearance from which the distance of nodes from a fitted circle is reported.
 const OF_CLEARANCE: f64 = 0.05;
 /// Part of the hole's radius by which coordinates of files are rounded.
@@ -109,10 +111,14 @@ fn fitted(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Vec<ContactFinding> {
         return Vec::new();
     };
     let clearance = hole - inner;
-    let counts = |length: f64| length > OF_CLEARANCE * clearance.abs();
+    // Where nothing is apart, neither is what is rounding of a radius.
+    let least = f64::max(OF_CLEARANCE * clearance.abs(), ROUNDING * hole);
+    let counts = |length: f64| length > least;
     let of_side = |side: &Placed<'_, SetRef>| {
         let fit = plan.bodies[side.body].shape.fit(&side.of.set)?;
-        let (edge, off) = (side.of.to_string(), Quantity::Length(fit.scatter));
+        let edge = side.of.to_string();
+        let is_rounding = fit.scatter < ROUNDING * fit.fitted;
+        let off = Quantity::Length(if is_rounding { 0.0 } else { fit.scatter });
         match fit.given {
             None => counts(fit.scatter).then_some(ContactFinding::FittedRadius {
                 edge,

@@ -75,7 +75,7 @@ pub enum BodyError {
         "{} can move freely in {motions} of its 3 rigid motions: nothing holds it",
         match parts {
             1 => "the mesh".to_owned(),
-            _ => format!("the part of the mesh at ({}, {}), one of {parts},", at[0], at[1]),
+            _ => format!("the part of the mesh at ({:.4}, {:.4}), one of {parts},", at[0], at[1]),
         }
     )]
     LoosePart {

@@ -236,8 +236,12 @@ fn unpacked(bytes: &[u8], layout: Layout, most: usize) -> Result<Vec<u8>, Refuse
     let total = (blocks - 1)
         .checked_mul(size)
         .and_then(|full| full.checked_add(last));
-    if last > size || total.is_none_or(|total| total > most) {
-        let what = "it holds more numbers than the grid has points or cells for";
+    if last > size {
+        let what = "its last block is larger than the others";
+        return Err(Refused::Damaged(what));
+    }
+    if total.is_none_or(|total| total > most) {
+        let what = "it unpacks to more numbers than the grid has points or cells for, or than a file of this length can hold";
         return Err(Refused::Damaged(what));
     }
     let sizes = blocks.checked_mul(layout.count).ok_or(SHORT)?;

@@ -23,8 +23,8 @@ pub(super) struct Grid<'a> {
     layout: Layout,
     pub(super) points: usize,
     pub(super) cells: usize,
-    /// Most numbers of a packed array: far more than a text of this length can hold points and cells.
-    most: usize,
+    /// Most numbers of a packed array, and most members of all sets: far more than a text of this length can hold points and cells.
+    pub(super) most: usize,
 }
 
 impl<'a> Grid<'a> {

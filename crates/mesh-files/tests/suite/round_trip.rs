@@ -259,7 +259,7 @@ fn refusals_of_declared_circles_say_why() {
         ..MeshParts::default()
     };
     let refused = put_on_circles(&mut hexagon, &[set()], &[]).expect_err("a refusal");
-    assert!(refused.to_string().contains("60° apart"), "{refused}");
+    assert!(refused.to_string().contains("60.0° apart"), "{refused}");
 }
 
 /// Corners of a hole a thousandth off, mid nodes on the chords between them: all are put onto the circle, and nothing else moves.

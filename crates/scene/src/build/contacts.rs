@@ -8,7 +8,7 @@ use crate::document::Part;
 use crate::format::{ContactFormat, SceneFormat};
 use crate::friction;
 use crate::schema::{Contact, GapKind, SetRef, Substance};
-use crate::shape::{CircleFit, Edge, Role, Touch};
+use crate::shape::{Edge, Role, Touch};
 
 /// Largest overlap of two circles, as a part of the hole's radius: small displacements hold far below it.
 const LARGEST_OVERLAP: f64 = 0.1;
@@ -283,13 +283,11 @@ impl Builder<'_> {
         // A fitted radius is none that the user wrote.
         let fitted = |edge: &SetRef, text: String| {
             let body = self.bodies.get(&edge.body);
-            match body.and_then(|body| body.shape.fit(&edge.set)) {
-                Some(CircleFit {
-                    scatter,
-                    given: None,
-                    ..
-                }) => format!(
-                    "{text}, fitted to nodes up to {scatter:.1e} mm off it: give the true one in `radii` of the mesh"
+            let fit = body.and_then(|body| body.shape.fit(&edge.set));
+            match fit.filter(|fit| fit.given.is_none()) {
+                Some(fit) if fit.scatter > 0.05 * (inner - hole).abs() => format!(
+                    "{text}, fitted to nodes up to {:.1e} mm off it; `radii` of the mesh gives the true one",
+                    fit.scatter
                 ),
                 _ => text,
             }

@@ -87,10 +87,9 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     let warnings: String = (results.findings.iter())
         .map(|finding| ["warning: ", &sentence(finding, results.units), "\n\n"].concat())
         .collect();
-    let unstated = if results.ladder.is_some() {
-        ""
-    } else {
-        "No errors are stated: `--set analysis.accuracy=\"1 %\"` states those of this mesh; a scene without [mesh] is divided until they are as small.\n\n"
+    let unstated = match results.ladder {
+        Some(_) => "",
+        None => unstated(&scene),
     };
     // As large as the results of a long history: made for those who read it only.
     let summary = console.json.then(|| output::summary_json(&results));
@@ -104,6 +103,15 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         },
         &summary,
     )
+}
+
+/// That no errors are stated, and how to get them.
+fn unstated(scene: &Scene) -> &'static str {
+    let mut bodies = scene.bodies.values();
+    if bodies.any(|body| body.shape.has_own_mesh()) {
+        return "No errors are stated: of a mesh from a file none are known; run a finer file beside it.\n\n";
+    }
+    "No errors are stated: `--set analysis.accuracy=\"1 %\"` states those of this mesh; a scene without [mesh] is divided until they are as small.\n\n"
 }
 
 fn bar(scene: &Scene, console: Console) -> ProgressBar {

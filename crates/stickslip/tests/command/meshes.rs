@@ -91,14 +91,15 @@ fn a_grid_of_vtk_is_a_mesh_too() {
         &["'part.vtu' is a mesh of VTK, not a scene", sets],
     );
     let set = ["supports.0.on=part.gmsh:physical-1", "loads.0.on=part.end"];
-    succeeds(
+    let printed = succeeds(
         folder.path(),
         &["run", "scene.toml", "--set", set[0], "--set", set[1]],
     );
+    holds(&printed, &["of a mesh from a file none are known"]);
     let written = fs::read_to_string(folder.path().join("scene-results/summary.json")).unwrap();
     holds(
         &written,
-        &["arrays that are no sets ('u') passed over: line 9"],
+        &["for each point or cell ('u') passed over: line 9"],
     );
     let raw = [grid.as_bytes(), b"<AppendedData encoding=\"raw\">_\xff\xfe"].concat();
     fs::write(folder.path().join("part.vtu"), raw).unwrap();
@@ -115,7 +116,11 @@ fn parts_of_a_mesh_that_nothing_holds_are_refused_with_what_to_do() {
     let message = fails(folder.path(), &["run", "scene.toml"]);
     holds(
         &message,
-        &["can move freely", "bodies.part.shape.mesh", "as `elements`"],
+        &[
+            "one of 2, can move freely",
+            "bodies.part.shape.mesh",
+            "as `elements`",
+        ],
     );
     let one = "bodies.part.shape.mesh.elements=all";
     succeeds(folder.path(), &["run", "scene.toml", "--set", one]);

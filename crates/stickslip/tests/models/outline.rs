@@ -359,7 +359,10 @@ fn a_known_radius_is_that_of_the_circle() {
         &fit,
         &["bodies.pin.shape.disk.radius=5.01 mm"],
     );
-    assert!(tight.contains("give the true one in `radii`"), "{tight}");
+    assert!(
+        tight.contains("`radii` of the mesh gives the true one"),
+        "{tight}"
+    );
 }
 
 fn read(text: &str, folder: &Path) -> Result<Scene, String> {

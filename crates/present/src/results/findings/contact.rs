@@ -131,10 +131,15 @@ fn fitted_radius(
     [off, clearance]: [Quantity; 2],
     units: DisplayUnits,
 ) -> String {
+    let kind = if clearance.value() < 0.0 {
+        "an interference"
+    } else {
+        "a clearance"
+    };
     format!(
-        "Contact '{name}' has a clearance of {}, and the radius of '{edge}' is that of the best circle through corner nodes up to {} off it: where \
+        "Contact '{name}' has {kind} of {}, and the radius of '{edge}' is that of the best circle through corner nodes up to {} off it: where \
          and how hard it presses depends on what the true radius is. Give it in `radii` of the mesh.",
-        shown(clearance, units),
+        shown(clearance.abs(), units),
         shown(off, units)
     )
 }
