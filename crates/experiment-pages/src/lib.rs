@@ -1,6 +1,6 @@
 //! What was found in measured displacements, as one page with its files: tables, figures and answers.
 //!
-//! [`report`](fn@report) goes through the chain of an experiment and fills an [`ExperimentReport`](report::ExperimentReport), which hands each file as name and bytes to its
+//! [`report`](fn@report) goes through the chain of an experiment and fills an [`ExperimentReport`], which hands each file as name and bytes to its
 //! caller; nothing here touches a file.
 
 mod analysed;
