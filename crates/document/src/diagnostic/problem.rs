@@ -5,9 +5,7 @@ use stickslip_fem_core::material::MaterialError;
 use thiserror::Error;
 
 use super::laminate::LaminateProblem;
-use super::remedy::{
-    coded, counted, elsewhere, listed, material_remedy, meant, of_file, on_lines, or_none,
-};
+use super::remedy::{coded, counted, elsewhere, listed, material_remedy, meant, of_file, on_lines};
 use stickslip_units::UnitError;
 
 /// One thing wrong with a scene. Every variant carries the numbers and names that its message and remedy show.
@@ -287,7 +285,7 @@ pub enum SceneProblem {
     },
     /// A set that a body's shape does not have.
     #[error("'{body}' ({shape}) has no {what} '{set}'")]
-    #[diagnostic(code(scene::missing_set), help("{}sets of '{body}' that fit here: {}{}", meant(nearest.as_deref()), or_none(known), of_file(notes)))]
+    #[diagnostic(code(scene::missing_set), help("{}sets of '{body}' that fit here: {}{}", meant(nearest.as_deref()), listed(known), of_file(notes)))]
     MissingSet {
         /// The body.
         body: String,

@@ -64,14 +64,6 @@ pub(super) fn material_remedy(cause: &MaterialError) -> String {
     }
 }
 
-/// The names of sets, or that there are none.
-pub(super) fn or_none(names: &[String]) -> String {
-    if names.is_empty() {
-        return "none".to_owned();
-    }
-    names.join(", ")
-}
-
 /// What was passed over in a file, after a list of what is in it.
 pub(super) fn of_file(notes: &[String]) -> String {
     if notes.is_empty() {

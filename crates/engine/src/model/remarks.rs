@@ -9,10 +9,6 @@ use crate::results::{ContactFinding, Finding, Quantity};
 
 /// Clearance, as a part of the hole's radius, from which pairing points at equal angles is reported.
 const WIDE_CLEARANCE: f64 = 0.1;
-/// Part of a radius that is rounding.
-const ROUNDING: f64 = 1e-12;
-/// Part of the clearance from which the distance of nodes from a fitted circle is reported.
-const OF_CLEARANCE: f64 = 0.05;
 /// Part of the hole's radius by which coordinates of files are rounded.
 const NOWHERE: f64 = 1e-4;
 
@@ -111,23 +107,27 @@ fn fitted(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Vec<ContactFinding> {
         return Vec::new();
     };
     let clearance = hole - inner;
-    // Where nothing is apart, neither is what is rounding of a radius.
-    let least = f64::max(OF_CLEARANCE * clearance.abs(), ROUNDING * hole);
-    let counts = |length: f64| length > least;
     let of_side = |side: &Placed<'_, SetRef>| {
         let fit = plan.bodies[side.body].shape.fit(&side.of.set)?;
         let edge = side.of.to_string();
-        let is_rounding = fit.scatter < ROUNDING * fit.fitted;
-        let off = Quantity::Length(if is_rounding { 0.0 } else { fit.scatter });
+        let scatter = if fit.counts(fit.scatter, 0.0) {
+            fit.scatter
+        } else {
+            0.0
+        };
+        let off = Quantity::Length(scatter);
         match fit.given {
-            None => counts(fit.scatter).then_some(ContactFinding::FittedRadius {
-                edge,
-                off,
-                clearance: Quantity::Length(clearance),
-            }),
+            None => fit
+                .counts(scatter, clearance)
+                .then_some(ContactFinding::FittedRadius {
+                    edge,
+                    off,
+                    clearance: Quantity::Length(clearance),
+                }),
             Some(given) => {
                 let apart = (given - fit.fitted).abs();
-                (counts(apart) && apart > fit.scatter).then_some(ContactFinding::OtherRadius {
+                let is_other = apart > scatter && fit.counts(apart, clearance);
+                is_other.then_some(ContactFinding::OtherRadius {
                     edge,
                     given: Quantity::Length(given),
                     fitted: Quantity::Length(fit.fitted),

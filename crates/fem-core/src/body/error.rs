@@ -83,7 +83,7 @@ pub enum BodyError {
         node: usize,
         /// Its place `[length]`.
         at: Point,
-        /// How many parts the mesh has.
+        /// Of how many parts of the mesh it is one; 1 where the mesh can move as a whole.
         parts: usize,
         /// Number of rigid motions that nothing prevents.
         motions: usize,

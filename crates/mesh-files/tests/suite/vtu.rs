@@ -2,7 +2,7 @@
 
 use stickslip_fem_core::mesh::{ElementBlock, ElementKind};
 use stickslip_fem_core::vtk::write_vtu;
-use stickslip_mesh_files::{Format, Note, ReadError, Unsupported};
+use stickslip_mesh_files::{Foreign, Format, Note, ReadError, Unsupported};
 
 use super::round_trip::meshes;
 use super::{ends, imported, refused};
@@ -31,6 +31,17 @@ fn arrays_of_integers_are_sets_of_points_lines_and_cells() {
     assert_eq!(file.parts.node_sets["corner"], [0]);
     let reals = |note: &Note| matches!(note, Note::Skipped { keyword, at, .. } if keyword.starts_with("arrays that are no sets") && keyword.ends_with("('u')") && at.line == 9);
     assert!(file.notes.iter().any(reals), "{:?}", file.notes);
+}
+
+#[test]
+fn a_grid_is_known_by_its_first_line() {
+    let head = "<VTKFile version=\"1.0\" type=\"UnstructuredGrid\">";
+    for text in [TEXT, head] {
+        let found = Foreign::of_text(text).and_then(|known| known.format);
+        assert_eq!(found, Some(Format::Vtk));
+    }
+    let other = Foreign::of_text("<VTKFile type=\"PolyData\">");
+    assert_eq!(other.map(|known| known.format), Some(None));
 }
 
 #[test]
@@ -86,6 +97,15 @@ fn defects_are_named_with_their_lines() {
         ),
         ReadError::Encoding { .. }
     ));
+    for (from, to) in [
+        ("LittleEndian", "MiddleEndian"),
+        ("header_type=\"UInt32\"", "header_type=\"Int8\""),
+    ] {
+        assert!(
+            matches!(change(from, to), ReadError::Encoding { .. }),
+            "{from} → {to}"
+        );
+    }
     assert!(matches!(
         change("9 5 5 3 3 1", "12 5 5 3 3 1"),
         ReadError::ElementType {
@@ -173,6 +193,38 @@ fn a_short_file_does_not_unpack_to_gigabytes() {
         <Cells><DataArray type="UInt8" Name="types" format="binary">{array}</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>"#
     );
     assert!(matches!(refused(&text, Format::Vtk), ReadError::Damaged { at, .. } if at.line == 3));
+}
+
+/// Nor to sets of more members than points and cells that it can hold.
+#[test]
+fn members_of_sets_are_bounded_by_the_length_of_the_file() {
+    let count = 100_000;
+    let array = |name: &str, kind: &str, bytes: &[u8]| {
+        let packed = miniz_oxide::deflate::compress_to_vec_zlib(bytes, 9);
+        let (size, own) = (bytes.len() as u32, packed.len() as u32);
+        let mut all: Vec<u8> = [1, size, 0, own]
+            .into_iter()
+            .flat_map(u32::to_le_bytes)
+            .collect();
+        all.extend(packed);
+        let text = base64::Engine::encode(&base64::engine::general_purpose::STANDARD, all);
+        format!(r#"<DataArray type="{kind}" Name="{name}" format="binary">{text}</DataArray>"#)
+    };
+    let points = array("points", "Float32", &vec![0; 12 * count]);
+    let sets: String = (0..4)
+        .map(|k| array(&format!("s{k}"), "UInt8", &vec![1; count]))
+        .collect();
+    let text = format!(
+        r#"<VTKFile type="UnstructuredGrid" compressor="vtkZLibDataCompressor"><UnstructuredGrid>
+        <Piece NumberOfPoints="{count}" NumberOfCells="1"><Points>{points}</Points><Cells>
+        <DataArray type="Int32" Name="connectivity">0 1 2</DataArray><DataArray type="Int32" Name="offsets">3</DataArray>
+        <DataArray type="UInt8" Name="types">5</DataArray></Cells><PointData>{sets}</PointData></Piece></UnstructuredGrid></VTKFile>{}"#,
+        " ".repeat(16_000)
+    );
+    assert!(matches!(
+        refused(&text, Format::Vtk),
+        ReadError::SetsTooLarge { .. }
+    ));
 }
 
 #[test]

@@ -285,7 +285,7 @@ impl Builder<'_> {
             let body = self.bodies.get(&edge.body);
             let fit = body.and_then(|body| body.shape.fit(&edge.set));
             match fit.filter(|fit| fit.given.is_none()) {
-                Some(fit) if fit.scatter > 0.05 * (inner - hole).abs() => format!(
+                Some(fit) if fit.counts(fit.scatter, inner - hole) => format!(
                     "{text}, fitted to nodes up to {:.1e} mm off it; `radii` of the mesh gives the true one",
                     fit.scatter
                 ),

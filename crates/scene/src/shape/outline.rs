@@ -25,6 +25,13 @@ pub struct CircleFit {
     pub given: Option<f64>,
 }
 
+impl CircleFit {
+    /// Whether a `length` `[mm]` counts beside a `clearance` or an overlap `[mm]` of this circle: as more than a twentieth of it, and than rounding.
+    pub fn counts(&self, length: f64, clearance: f64) -> bool {
+        length > f64::max(0.05 * clearance.abs(), 1e-12 * self.fitted)
+    }
+}
+
 /// A body's shape. Coordinates are those of the body, whose centre stands where [`placement`](crate::placement) puts it; all
 /// lengths in `[mm]`.
 pub trait Outline: fmt::Debug {
