@@ -118,6 +118,8 @@ fn defects_are_named_with_their_lines() {
         ("4 7 10 12 14 15", "4 8 10 12 14 15"),
         ("4 7 10 12 14 15", "4 7 10 12 14 99"),
         ("4 7 10 12 14 15", "4 -1 10 12 14 15"),
+        // A node behind the last end.
+        ("3 0 2 5 0", "3 0 2 5 0 1"),
         ("0 1 4 3", "0 1 4 -3"),
         ("0 1 4 3", "0 1 four 3"),
         ("NumberOfPoints=\"6\"", "NumberOfPoints=\"six\""),
@@ -166,8 +168,6 @@ fn packed_arrays_may_not_claim_more_than_they_hold() {
         "BQAAAAAAAAD/////////fxAAAAAAAAAA",
         "/////////38gAAAAAAAAABAAAAAAAAAA",
         "BQAAAAAAAAAgAAAAAAAAABEAAAAAAAAA",
-        // A last block that is larger than a block.
-        "AQAAAAAAAAAgAAAAAAAAACEAAAAAAAAA",
     ] {
         let text = PACKED.replacen(header, other, 1);
         assert!(matches!(
@@ -175,6 +175,18 @@ fn packed_arrays_may_not_claim_more_than_they_hold() {
             ReadError::Damaged { .. }
         ));
     }
+}
+
+#[test]
+fn a_last_block_is_not_larger_than_the_others() {
+    let text = PACKED.replacen(
+        "BQAAAAAAAAAgAAAAAAAAABAAAAAAAAAA",
+        "BQAAAAAAAAAgAAAAAAAAACEAAAAAAAAA",
+        1,
+    );
+    assert!(
+        matches!(refused(&text, Format::Vtk), ReadError::Damaged { what, .. } if what.contains("last block"))
+    );
 }
 
 /// Zeros pack to a thousandth: what a short file may unpack to is bounded by its length, whatever number of cells it states.
