@@ -5,6 +5,7 @@
 mod details;
 
 use serde::Serialize;
+use stickslip_scene::shape::FileNote;
 
 use super::quantity::Quantity;
 use super::stated::LadderEnd;
@@ -83,8 +84,8 @@ pub enum Finding {
     MeshFile {
         /// The body.
         body: String,
-        /// What, one line each.
-        notes: Vec<String>,
+        /// What.
+        notes: Vec<FileNote>,
     },
     /// A body whose file puts it somewhere else was moved into the hole that holds it.
     MovedIntoHole {

@@ -361,7 +361,7 @@ impl Builder<'_> {
             nearest: nearest(set, sets.iter().map(|known| &**known))
                 .map(|set| format!("{name}.{set}")),
             known: sets.iter().map(|set| format!("{name}.{set}")).collect(),
-            notes: body.shape.notes().to_vec(),
+            notes: body.shape.notes().iter().map(ToString::to_string).collect(),
         };
         self.report(key, Part::Value, problem);
         None

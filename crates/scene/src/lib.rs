@@ -60,7 +60,7 @@ pub use {miette, serde_json};
 /// The crates of bodies, outlines, laws, contacts, laminates and joints that scenes hold.
 pub use {
     stickslip_contact, stickslip_fem_core, stickslip_friction, stickslip_joint, stickslip_laminate,
-    stickslip_mesher,
+    stickslip_mesh_files, stickslip_mesher,
 };
 
 pub use document::Format;

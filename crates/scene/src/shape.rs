@@ -42,6 +42,7 @@ use crate::units::{Length, Quantity};
 pub use stickslip_mesher::Path;
 
 pub use self::curve::Curve;
+pub use self::imported::{FileCurve, FileNote};
 pub(crate) use self::outline::Sizes;
 pub use self::outline::{CircleFit, Divided, DivisionError, Edge, Meshing, Outline, Role, Touch};
 

@@ -11,6 +11,7 @@ use stickslip_engine::results::{
     Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 use stickslip_scene::schema::DisplayUnits;
+use stickslip_scene::shape::FileNote;
 use stickslip_text::{short, tidy};
 
 pub use joint::joint_sentence;
@@ -64,9 +65,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              than their contact, and thermal strains far above those of the load cause it.",
             numbers(steps)
         ),
-        Finding::MeshFile { body, notes } => {
-            format!("The mesh of '{body}': {}.", notes.join("; "))
-        }
+        Finding::MeshFile { body, notes } => mesh_file(body, notes),
         Finding::MovedIntoHole {
             body,
             hole,
@@ -304,6 +303,11 @@ pub fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
 }
 
 /// Ascending numbers with runs shortened: "2–5, 9".
+fn mesh_file(body: &str, notes: &[FileNote]) -> String {
+    let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
+    format!("The mesh of '{body}': {}.", notes.join("; "))
+}
+
 fn numbers(steps: &[usize]) -> String {
     let runs = steps.chunk_by(|a, b| a + 1 == *b);
     let shown = runs.map(|run| match run {

@@ -3,6 +3,7 @@
 //! Its sets name its edges and points. An edge whose nodes lie on a line, on a circle, or on lines and arcs one after another is that curve; others are splines where the scene says so.
 
 mod edges;
+mod note;
 mod placed;
 mod splines;
 
@@ -19,6 +20,7 @@ use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 use stickslip_mesh_files::{Coincident, Format, read_with};
 
 use self::edges::{edges, uneven};
+pub use self::note::{FileCurve, FileNote};
 use self::placed::{on_circles, placed};
 use super::Shape;
 use super::outline::{CircleFit, Divided, DivisionError, Edge, Meshing, Outline, Sizes};
@@ -142,7 +144,7 @@ impl Keys {
             whole.into_inner()
         ));
         let invalid = |cause: String| refused("file", cause, MEND);
-        let mut notes: Vec<String> = own.notes.iter().map(ToString::to_string).collect();
+        let mut notes: Vec<FileNote> = own.notes.into_iter().map(FileNote::Read).collect();
         let (mut parts, scale) = (own.parts, self.unit.unit().in_base);
         for node in &mut parts.nodes {
             *node = node.map(|x| scale * x);
@@ -197,7 +199,7 @@ pub struct GivenMesh {
     /// Circles that were declared, and how they were fitted.
     fitted: Vec<(String, CircleFit)>,
     /// What of the file was passed over or changed.
-    pub notes: Vec<String>,
+    pub notes: Vec<FileNote>,
     /// Names of edges that are splines.
     splines: Vec<String>,
     /// By what it is turned from where the file has it `[rad]`.
@@ -306,7 +308,7 @@ impl Outline for GivenMesh {
         Some(own.1)
     }
 
-    fn notes(&self) -> &[String] {
+    fn notes(&self) -> &[FileNote] {
         &self.notes
     }
 

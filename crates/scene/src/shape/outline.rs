@@ -12,6 +12,7 @@ use thiserror::Error;
 
 use super::Shape;
 use super::curve::Curve;
+use super::imported::FileNote;
 use crate::units::{Length, Quantity};
 
 /// A circle that was fitted to the corner nodes of an edge.
@@ -87,7 +88,7 @@ pub trait Outline: fmt::Debug {
     }
 
     /// What a reader must know of its file.
-    fn notes(&self) -> &[String] {
+    fn notes(&self) -> &[FileNote] {
         &[]
     }
 

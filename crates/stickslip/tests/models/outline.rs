@@ -7,6 +7,7 @@ use std::path::Path;
 use stickslip::host::HOST;
 use stickslip::results::{ContactFinding, Finding, LadderEnd, Results, Stated};
 use stickslip::run::run;
+use stickslip::scene::shape::FileNote;
 use stickslip::scene::{Format, Scene};
 use stickslip_fem_core::mesh::Mesh;
 use tempfile::TempDir;
@@ -318,14 +319,15 @@ fn a_declared_circle_gets_its_nodes() {
     }
     let found = run(&scene(r#", circles = ["hole"]"#).unwrap(), &mut |_| {}).unwrap();
     let note = found.findings.iter().find_map(|finding| match finding {
-        Finding::MeshFile { notes: lines, .. } => Some(lines.concat()),
+        Finding::MeshFile { notes, .. } => notes.iter().find_map(|note| match note {
+            FileNote::DeclaredCircle { edge, radius, .. } => Some((edge, *radius)),
+            _ => None,
+        }),
         _ => None,
     });
-    let note = note.unwrap_or_default();
-    assert!(
-        note.contains("nodes of 'hole' were put onto its circle of radius 5.00"),
-        "{note}"
-    );
+    let (edge, radius) = note.expect("a note on the circle");
+    assert_eq!(edge, "hole");
+    assert!((radius - 5.0).abs() < 0.01, "{radius}");
     let (edge, off) = fitted(&found).expect("a finding on the radius");
     assert_eq!(edge, "plate.hole");
     assert!((4e-3..6e-3).contains(&off), "{off}");

@@ -10,6 +10,7 @@ use stickslip::results::{
     FurtherSolvers, JointFinding, LadderEnd, Quantity, SolverDependence, StatusCycle,
     UniquenessBound, Yield,
 };
+use stickslip::scene::shape::{FileCurve, FileNote};
 
 use super::fixture::results;
 
@@ -100,7 +101,11 @@ fn of_bodies() -> Vec<Finding> {
         },
         Finding::MeshFile {
             body: "plate".into(),
-            notes: vec!["3 nodes belong to no cell".into()],
+            notes: vec![FileNote::MidNodes {
+                edge: "hole".into(),
+                moved: 24,
+                onto: FileCurve::Circle(5.0),
+            }],
         },
         Finding::MovedIntoHole {
             body: "pin".into(),

@@ -3,13 +3,14 @@
 use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
 use stickslip_mesh_files::{CurveError, put_on_circles, recognise_set, snap, snap_pieces};
 
+use super::note::{FileCurve, FileNote};
 use crate::shape::outline::CircleFit;
 
 /// The mesh of a file with the known curves of its edges but `splines`, and its mid nodes on them; `notes` get what was moved.
 pub(super) fn placed(
     mut parts: MeshParts,
     splines: &[String],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<FileNote>,
 ) -> Result<Mesh, String> {
     let names: Vec<String> = parts.edge_sets.keys().cloned().collect();
     for name in &names {
@@ -17,9 +18,11 @@ pub(super) fn placed(
             Ok(mesh::Curve::Arc { radius, .. }) => {
                 let moved = snap(&mut parts, name).map_err(|cause| cause.to_string())?;
                 if moved > 0 {
-                    notes.push(format!(
-                        "{moved} mid nodes of '{name}' were put from chords onto its circle of radius {radius:.6} mm"
-                    ));
+                    notes.push(FileNote::MidNodes {
+                        edge: name.clone(),
+                        moved,
+                        onto: FileCurve::Circle(radius),
+                    });
                 }
             }
             Ok(curve @ mesh::Curve::Line) => {
@@ -31,9 +34,11 @@ pub(super) fn placed(
             Err(_) => {
                 let moved = snap_pieces(&mut parts, name).unwrap_or_default();
                 if moved > 0 {
-                    notes.push(format!(
-                        "{moved} mid nodes of '{name}' were put from chords onto its arcs"
-                    ));
+                    notes.push(FileNote::MidNodes {
+                        edge: name.clone(),
+                        moved,
+                        onto: FileCurve::Arcs,
+                    });
                 }
             }
         }
@@ -50,7 +55,7 @@ pub(super) fn on_circles(
     parts: &mut MeshParts,
     circles: &[String],
     radii: &[f64],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<FileNote>,
 ) -> Result<Vec<(String, CircleFit)>, [String; 3]> {
     let put = put_on_circles(parts, circles, radii).map_err(|cause| {
         let known: Vec<&str> = parts.edge_sets.keys().map(String::as_str).collect();
@@ -96,10 +101,12 @@ pub(super) fn on_circles(
         fitted.push((name.clone(), fit));
         let (found, moved) = (put.circle, put.moved);
         if let (mesh::Curve::Arc { radius, .. }, 1..) = (found.curve, moved) {
-            notes.push(format!(
-                "{moved} nodes of '{name}' were put onto its circle of radius {radius:.6} mm, from which its corners were up to {:.2e} mm away",
-                found.residual
-            ));
+            notes.push(FileNote::DeclaredCircle {
+                edge: name.clone(),
+                moved,
+                radius,
+                residual: found.residual,
+            });
         }
     }
     Ok(fitted)

@@ -3,6 +3,7 @@
 use stickslip_fem_core::mesh::{EdgePath, Mesh, Point};
 use stickslip_mesher::{Course, Spline};
 
+use super::note::{FileCurve, FileNote};
 use crate::shape::curve::Curve;
 
 /// Angle between neighbouring chords `[rad]` from which on an edge has a corner.
@@ -38,14 +39,12 @@ fn through(mesh: &Mesh, path: &EdgePath, step: usize) -> Option<Curve> {
 pub(super) fn put_on(
     mesh: Mesh,
     names: &[String],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<FileNote>,
 ) -> Result<Mesh, [String; 2]> {
     let mut places = mesh.nodes().to_vec();
     for name in names {
         let Some(path) = checked(&mesh, name)? else {
-            notes.push(format!(
-                "'{name}' of `splines` is a line or a circle, and stays one"
-            ));
+            notes.push(FileNote::NoSpline { edge: name.clone() });
             continue;
         };
         let curve = spline(&mesh, &path).and_then(|own| own.path());
@@ -66,9 +65,11 @@ pub(super) fn put_on(
         for (_, &node) in middles {
             places[node] = curve.at(curve.nearest(places[node]));
         }
-        notes.push(format!(
-            "the mid nodes of '{name}' were put from chords onto its spline"
-        ));
+        notes.push(FileNote::MidNodes {
+            edge: name.clone(),
+            moved: path.edges.len() * (path.order - 1),
+            onto: FileCurve::Spline,
+        });
     }
     let mut parts = mesh.into_parts();
     parts.nodes = places;

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use stickslip::model::Model;
 use stickslip::results::Results;
+use stickslip::scene::shape::FileNote;
 use stickslip_fem_core::mesh::Mesh;
 use tempfile::TempDir;
 
@@ -203,10 +204,8 @@ fn an_edge_of_a_file_is_a_spline_where_it_is_said() {
         &[],
     );
     let notes = known.bodies["roller"].shape.notes();
-    assert!(
-        notes[0].contains("'top' of `splines` is a line"),
-        "{notes:?}"
-    );
+    let edge = String::from("top");
+    assert_eq!(notes[0], FileNote::NoSpline { edge });
     let message = refusal(folder.path(), &given(", splines = [\"crown\"]"), &[]);
     assert!(message.contains("it has no edge 'crown'"), "{message}");
 }
