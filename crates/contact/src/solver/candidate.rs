@@ -11,6 +11,8 @@ pub(super) struct Candidate {
     pub(super) normal: Vec<f64>,
     /// Slip increment of each point.
     pub(super) slip: Vec<f64>,
+    /// Points without conditions that overlap, in ascending order.
+    pub(super) overlapping: Vec<usize>,
     /// Rigid motions at which the springs would hold the bodies under these forces.
     pub(super) rigid: DVector<f64>,
 }

@@ -27,6 +27,9 @@ use super::step::Step;
 use super::{FailureCause, Work};
 use crate::state::Status;
 
+/// Overlap of points that are left out, as a part of the largest motion, up to which they are open.
+const OVERLAP: f64 = 1e-9;
+
 /// What a complementary pair stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
@@ -35,24 +38,28 @@ enum Kind {
     Reverse,
 }
 
-/// M and q in units in which the largest compliance and the largest entry of q are 1.
-pub(super) struct Complementarity {
-    matrix: DMatrix<f64>,
-    constant: DVector<f64>,
-    pairs: Vec<(Kind, usize)>,
-    slides: Vec<bool>,
+/// A step with a coefficient of friction for every point, its rigid motions held by springs.
+pub(super) struct Complementarity<'a> {
+    step: &'a Step<'a>,
     coefficients: Vec<f64>,
     /// Compliance and free motion, springs included, relative to the largest compliance.
     sprung: Sprung,
-    /// What determines how far the springs yield: rigid motions, load resultants, and those at rest.
-    modes: DMatrix<f64>,
-    mode_load: DVector<f64>,
-    rest: DVector<f64>,
-    force_unit: f64,
+    /// Rigid motions at which the springs are at rest.
+    rest: &'a DVector<f64>,
     compliance_unit: f64,
 }
 
-/// Matrix and constant of the complementarity conditions `pairs`, whose last `frictional` are those of reverse slip.
+/// The conditions of some of its points, the others being open: M and q in units in which the largest compliance and the largest entry of q are 1.
+pub(super) struct Conditions<'a> {
+    problem: &'a Complementarity<'a>,
+    matrix: DMatrix<f64>,
+    constant: DVector<f64>,
+    pairs: Vec<(Kind, usize)>,
+    force_unit: f64,
+}
+
+/// Matrix and constant of the complementarity conditions `pairs`, whose last `frictional` are those of reverse slip, after those of tangents; the normal ones come
+/// first.
 fn conditions(
     step: &Step<'_>,
     pairs: &[(Kind, usize)],
@@ -62,6 +69,10 @@ fn conditions(
 ) -> (DMatrix<f64>, DVector<f64>) {
     let (points, size) = (step.problem.points(), pairs.len());
     let (compliance, motion) = (&sprung.compliance, &sprung.motion);
+    let mut normal = vec![0; points.len()];
+    for (i, &(_, k)) in pairs[..size - 2 * frictional].iter().enumerate() {
+        normal[k] = i;
+    }
     let row_of = |kind, k| {
         if kind == Kind::Normal {
             2 * k
@@ -73,7 +84,7 @@ fn conditions(
     let mut constant = DVector::zeros(size);
     for (i, &(kind, k)) in pairs.iter().enumerate() {
         if kind == Kind::Reverse {
-            matrix[(i, k)] = 2.0 * coefficients[k];
+            matrix[(i, normal[k])] = 2.0 * coefficients[k];
             matrix[(i, i - frictional)] = -1.0;
             continue;
         }
@@ -92,47 +103,51 @@ fn conditions(
     (matrix, constant)
 }
 
-impl Complementarity {
+impl<'a> Complementarity<'a> {
     /// The problem of `step` with friction coefficients `coefficients` of all points. Springs are `softness` times as
     /// compliant as the bodies, and at rest at the rigid motions `rest`.
     pub(super) fn new(
-        step: &Step<'_>,
+        step: &'a Step<'a>,
         coefficients: Vec<f64>,
         softness: f64,
-        rest: &DVector<f64>,
+        rest: &'a DVector<f64>,
     ) -> Self {
-        let points = step.problem.points();
-        let count = points.len();
-        let frictional: Vec<usize> = (0..count)
-            .filter(|&k| points[k].slides && coefficients[k] > 0.0)
-            .collect();
-        let pairs: Vec<(Kind, usize)> = (0..count)
-            .map(|k| (Kind::Normal, k))
-            .chain(frictional.iter().map(|&k| (Kind::Tangent, k)))
-            .chain(frictional.iter().map(|&k| (Kind::Reverse, k)))
-            .collect();
         let compliance_unit = positive(step.problem.compliance().diagonal().max());
-        let sprung = Sprung::new(step, compliance_unit, softness, rest);
-        let (matrix, mut constant) =
-            conditions(step, &pairs, frictional.len(), &coefficients, &sprung);
-        let force_unit = positive(constant.amax());
-        constant /= force_unit;
-        let slides = points.iter().map(|point| point.slides).collect();
         Self {
-            matrix,
-            constant,
-            pairs,
-            slides,
+            step,
             coefficients,
-            sprung,
-            modes: step.problem.modes().clone(),
-            mode_load: step.mode_load.clone(),
-            rest: rest.clone(),
-            force_unit,
+            sprung: Sprung::new(step, compliance_unit, softness, rest),
+            rest,
             compliance_unit,
         }
     }
 
+    /// The conditions of `chosen` points, which ascend.
+    pub(super) fn among(&self, chosen: &[usize]) -> Conditions<'_> {
+        let points = self.step.problem.points();
+        let rubs = |k: &&usize| points[**k].slides && self.coefficients[**k] > 0.0;
+        let frictional: Vec<usize> = chosen.iter().filter(rubs).copied().collect();
+        let of = |kind: Kind| move |&k: &usize| (kind, k);
+        let pairs: Vec<(Kind, usize)> = (chosen.iter().map(of(Kind::Normal)))
+            .chain(frictional.iter().map(of(Kind::Tangent)))
+            .chain(frictional.iter().map(of(Kind::Reverse)))
+            .collect();
+        let rows = frictional.len();
+        let (matrix, mut constant) =
+            conditions(self.step, &pairs, rows, &self.coefficients, &self.sprung);
+        let force_unit = positive(constant.amax());
+        constant /= force_unit;
+        Conditions {
+            problem: self,
+            matrix,
+            constant,
+            pairs,
+            force_unit,
+        }
+    }
+}
+
+impl Conditions<'_> {
     /// Number of complementary pairs.
     pub(super) fn order(&self) -> usize {
         self.constant.len()
@@ -193,13 +208,16 @@ impl Complementarity {
             let variation = 1.0 + ((i * 37 * number) % 11) as f64 / 11.0;
             match kind {
                 Kind::Normal | Kind::Reverse => variation,
-                Kind::Tangent => 0.25 * variation / self.coefficients[k].max(1.0),
+                Kind::Tangent => 0.25 * variation / self.problem.coefficients[k].max(1.0),
             }
         })
     }
 
     fn candidate(&self, z: &DVector<f64>) -> Candidate {
-        let count = self.coefficients.len();
+        let problem = self.problem;
+        let (coefficients, step) = (&problem.coefficients, problem.step);
+        let points = step.problem.points();
+        let count = points.len();
         let w = &self.matrix * z + &self.constant;
         let mut status = vec![Status::Open; count];
         let mut forces = DVector::zeros(2 * count);
@@ -207,8 +225,8 @@ impl Complementarity {
             match kind {
                 Kind::Normal => {
                     forces[2 * k] = self.force_unit * z[pair];
-                    if self.slides[k] {
-                        forces[2 * k + 1] = -self.coefficients[k] * forces[2 * k];
+                    if points[k].slides {
+                        forces[2 * k + 1] = -coefficients[k] * forces[2 * k];
                     }
                     if z[pair] > w[pair] {
                         status[k] = Status::Stick;
@@ -226,16 +244,22 @@ impl Complementarity {
                 Kind::Reverse => {}
             }
         }
-        let motion =
-            (&self.sprung.compliance * &forces + &self.sprung.motion) * self.compliance_unit;
-        let give = self.sprung.spring * self.compliance_unit;
-        let rigid = &self.rest + (self.modes.tr_mul(&forces) + &self.mode_load) * give;
+        let sprung = &problem.sprung;
+        let motion = (&sprung.compliance * &forces + &sprung.motion) * problem.compliance_unit;
+        let give = sprung.spring * problem.compliance_unit;
+        let modes = step.problem.modes();
+        let rigid = problem.rest + (modes.tr_mul(&forces) + &step.mode_load) * give;
         for k in 0..count {
-            if status[k].touches() && self.slides[k] && self.coefficients[k] == 0.0 {
+            if status[k].touches() && points[k].slides && coefficients[k] == 0.0 {
                 status[k] = Status::slip_along(motion[2 * k + 1]);
             }
         }
+        let depth = OVERLAP * motion.amax();
+        let mut is_chosen = vec![false; count];
+        self.pairs.iter().for_each(|&(_, k)| is_chosen[k] = true);
+        let overlaps = |k: &usize| !is_chosen[*k] && motion[2 * k] < -depth;
         Candidate {
+            overlapping: (0..count).filter(overlaps).collect(),
             status,
             normal: (0..count).map(|k| forces[2 * k]).collect(),
             slip: (0..count).map(|k| motion[2 * k + 1]).collect(),

@@ -3,14 +3,18 @@
 //! Pivoting finds the statuses of all points; an active-set iteration from there solves the forces, and corrects statuses
 //! that rounding, springs or the law's curvature got wrong. A law that is not proportional to pressure enters by its
 //! secant, F ≈ (F(p)/p) λ_n, and the problem is repeated with new secants until that iteration confirms the statuses.
+//!
+//! Of many points a part is pivoted first, the others being open; those of them that then overlap join it until none does.
 
 use super::active_set::confirm;
 use super::attempt::Attempt;
+use super::candidate::Candidate;
 use super::complementarity::Complementarity;
 use super::lemke::pivot_operations;
 use super::secants::{Secants, softnesses};
 use super::step::Step;
-use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution};
+use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution, Work};
+use crate::state::Status;
 
 /// Complementary pivoting with covering vectors that exclude rays for supported bodies; it needs no start.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +44,17 @@ impl Default for Pivoting {
 /// Pivots per unknown with which a complementarity problem that can be solved nearly always is.
 const ENOUGH: u64 = 4;
 
+/// Points from which on only a part of them is chosen first: a pivot costs their number squared.
+const MANY: usize = 256;
+
+/// The points with which the search begins: all of a few, and of many every second, third and so on, with those that touched.
+fn first_chosen(step: &Step<'_>) -> Vec<usize> {
+    let stride = step.count().div_ceil(MANY).max(1);
+    let status = step.committed.status.iter().enumerate();
+    let is_chosen = |(k, status): &(usize, &Status)| k % stride == 0 || status.touches();
+    status.filter(is_chosen).map(|(k, _)| k).collect()
+}
+
 /// How often the springs of floating bodies are put at rest.
 fn rounds(step: &Step<'_>) -> usize {
     if step.mode_load.is_empty() { 1 } else { 3 }
@@ -60,6 +75,7 @@ impl Pivoting {
         let step = attempt.step;
         step.matrix()?;
         let mut secants = Secants::new(step);
+        let mut chosen = first_chosen(step);
         let (mut last, mut ended) = (FailureCause::Ray, FailureCause::Ray);
         for _ in 0..self.repetitions {
             let coefficients = secants.coefficients(step);
@@ -71,14 +87,14 @@ impl Pivoting {
                     // Which of several solutions is followed is settled by the first round.
                     let covers = if round == 0 { self.covers } else { 1 };
                     for cover in 0..covers {
-                        let limit = self.pivots_left(problem.order(), attempt.work.operations)?;
-                        let candidate = match problem.solve(cover, limit, &mut attempt.work) {
-                            Ok(candidate) => candidate,
-                            Err(cause) => {
-                                ended = cause;
-                                continue;
-                            }
-                        };
+                        let candidate =
+                            match self.propose(&problem, cover, &mut chosen, &mut attempt.work)? {
+                                Ok(candidate) => candidate,
+                                Err(cause) => {
+                                    ended = cause;
+                                    continue;
+                                }
+                            };
                         match confirm(&candidate, attempt) {
                             Ok(solution) => return Ok(solution),
                             Err(cause) => last = cause,
@@ -100,6 +116,30 @@ impl Pivoting {
             }
         }
         Err(last)
+    }
+
+    /// The solution with covering vector number `cover` on the points `chosen`, which get those that it lets overlap until there are none; or why there is none.
+    ///
+    /// # Errors
+    /// [`FailureCause::Effort`] where no pivots are left.
+    fn propose(
+        &self,
+        problem: &Complementarity<'_>,
+        cover: usize,
+        chosen: &mut Vec<usize>,
+        work: &mut Work,
+    ) -> Result<Result<Candidate, FailureCause>, FailureCause> {
+        loop {
+            let conditions = problem.among(chosen);
+            let limit = self.pivots_left(conditions.order(), work.operations)?;
+            match conditions.solve(cover, limit, work) {
+                Ok(candidate) if !candidate.overlapping.is_empty() => {
+                    chosen.extend(&candidate.overlapping);
+                    chosen.sort_unstable();
+                }
+                ended => return Ok(ended),
+            }
+        }
     }
 
     /// Pivots that a problem of `order` pairs may have after `operations`.

@@ -41,6 +41,7 @@ impl PrincipalPivoting {
         let step = attempt.step;
         step.matrix()?;
         let mut secants = Secants::new(step);
+        let all: Vec<usize> = (0..step.count()).collect();
         let mut last = FailureCause::Limit(0);
         for _ in 0..self.repetitions {
             let coefficients = secants.coefficients(step);
@@ -48,11 +49,12 @@ impl PrincipalPivoting {
             for &softness in softnesses(step) {
                 let rest = step.committed.rigid.map(|_| 0.0);
                 let problem = Complementarity::new(step, coefficients.clone(), softness, &rest);
-                if attempt.work.pivots > self.pivots_per_unknown * problem.order() {
+                let conditions = problem.among(&all);
+                if attempt.work.pivots > self.pivots_per_unknown * conditions.order() {
                     return Err(last);
                 }
                 let (candidate, outcome) =
-                    problem.solve_by_least_index(self.pivots_per_unknown, &mut attempt.work);
+                    conditions.solve_by_least_index(self.pivots_per_unknown, &mut attempt.work);
                 match outcome.and_then(|()| confirm(&candidate, attempt)) {
                     Ok(solution) => return Ok(solution),
                     Err(cause) => last = cause,

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use stickslip_contact::solver::{FailureCause, Step, StepFailure, StepSolution, Work};
 use stickslip_contact::{
     Chain, ContactError, ContactState, InterfaceProblem, InterfaceSolver, LoadHistory, Pivoting,
-    Ramp,
+    Ramp, SemismoothNewton,
 };
 use stickslip_fem_core::GivenBody;
 
@@ -44,6 +44,38 @@ fn pivoting_names_the_work_that_it_was_given() {
         failure.to_string().contains("floating-point operations"),
         "{failure}"
     );
+}
+
+/// Of many points those that may touch are pivoted: the answer is Newton's, and a pivot costs a part of that of all.
+#[test]
+fn of_many_points_a_part_is_pivoted() {
+    const COUNT: usize = 600;
+    let x = |k: usize| k as f64 / COUNT as f64 - 0.5;
+    let compliance = DMatrix::from_fn(2 * COUNT, 2 * COUNT, |i, j| {
+        let near = (-20.0 * (x(i / 2) - x(j / 2)).abs()).exp();
+        if i % 2 == j % 2 { near } else { 0.0 }
+    });
+    let pushed = DVector::from_fn(2 * COUNT, |i, _| {
+        let [down, along] = [-1.0 + 30.0 * (x(i / 2) - 0.1).powi(2), 0.3];
+        if i % 2 == 0 { down } else { along }
+    });
+    let body = GivenBody::held(compliance, vec![pushed]).unwrap();
+    let places = (0..COUNT).map(x).collect();
+    let problem = Ground::along_x(places, coulomb(0.3)).under(&body);
+    let start = ContactState::unloaded(&problem);
+    let [pivoted, newton] = [
+        solve(&Pivoting::default(), &problem, &start, &[1.0]),
+        solve(&SemismoothNewton::default(), &problem, &start, &[1.0]),
+    ]
+    .map(Result::unwrap);
+    let touching = pivoted.trial.status.iter().filter(|own| own.touches());
+    assert!((150..300).contains(&touching.count()));
+    assert_eq!(pivoted.trial.status, newton.trial.status);
+    let off = (&pivoted.trial.forces - &newton.trial.forces).amax();
+    assert!(off <= 1e-9 * newton.trial.forces.amax(), "{off:e}");
+    let order = 3 * COUNT as u64;
+    let whole = 2 * order * (order + 2) * pivoted.work.pivots as u64;
+    assert!(pivoted.work.operations < whole / 2, "{:?}", pivoted.work);
 }
 
 /// Pivoting alone gets the proof that the chain makes, and is not begun.
