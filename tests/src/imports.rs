@@ -46,7 +46,7 @@ pub enum Counted {
 }
 
 impl Imports {
-    /// Reads the crate whose root is `lib.rs` in the folder `source`; files are named from there.
+    /// Reads the crate whose root is `lib.rs` in the folder `source`, or `main.rs` where there is no library; files are named from there.
     ///
     /// # Panics
     /// If a file cannot be read, or is not made of Rust tokens.
@@ -60,7 +60,8 @@ impl Imports {
                 let name = path.strip_prefix(source).unwrap_or(&path);
                 (name.to_string_lossy().into_owned(), text)
             });
-        Self::of_texts(files.filter(|(name, _)| name != "main.rs"))
+        let has_library = source.join("lib.rs").is_file();
+        Self::of_texts(files.filter(|(name, _)| !(has_library && name == "main.rs")))
     }
 
     fn of_texts(files: impl Iterator<Item = (String, String)>) -> Self {
@@ -72,10 +73,8 @@ impl Imports {
                 .split('/')
                 .map(str::to_owned)
                 .collect();
-            if place
-                .last()
-                .is_some_and(|last| last == "mod" || last == "lib")
-            {
+            let is_root = place == ["lib"] || place == ["main"];
+            if is_root || place.last().is_some_and(|last| last == "mod") {
                 place.pop();
             }
             read(&file, tokens, &place, &mut modules);
@@ -238,6 +237,16 @@ mod tests {
         assert_eq!(families("mod b; use b::B; pub struct A;"), ["a.rs a/b.rs"]);
         let called = families("mod b; pub struct A; fn g() { b::f() }");
         assert_eq!(called, ["a.rs a/b.rs"]);
+    }
+
+    #[test]
+    fn a_program_without_a_library_is_read_from_its_main_file() {
+        let files = [
+            ("main.rs", "mod a; mod b;"),
+            ("a.rs", "use crate::b::B; pub struct A(B);"),
+            ("b.rs", "use super::a::A; pub struct B(A);"),
+        ];
+        assert_eq!(circles(&files), ["a.rs b.rs"]);
     }
 
     #[test]

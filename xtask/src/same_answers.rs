@@ -8,6 +8,7 @@ mod baseline;
 mod cases;
 mod compare;
 mod exceptions;
+mod kinds;
 mod numbers;
 
 use std::fs;

@@ -10,6 +10,7 @@ mod clearance;
 mod friction;
 mod history;
 mod joint;
+mod judge;
 mod law;
 mod load_steps;
 mod mesh_quality;

@@ -23,20 +23,22 @@ const FAMILIES: &[(&str, usize)] = &[
     ("series", 4),
     ("stickslip", 12),
     ("units", 2),
+    ("xtask", 51),
 ];
 
-/// The library crates with their imports.
+/// The crates and the tasks with their imports.
 fn crates() -> Vec<(String, Imports)> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../crates");
-    let entries = fs::read_dir(folder).expect("a readable folder");
-    entries
-        .map(|entry| entry.expect("a readable entry"))
-        .filter(|entry| entry.path().join("src/lib.rs").is_file())
-        .map(|entry| {
-            let name = entry.file_name().to_string_lossy().into_owned();
-            (name, Imports::of(&entry.path().join("src")))
-        })
-        .collect()
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..");
+    let entries = fs::read_dir(root.join("crates")).expect("a readable folder");
+    let folders = entries.map(|entry| entry.expect("a readable entry").path());
+    let sources = folders
+        .chain(["xtask", "tests"].map(|name| root.join(name)))
+        .filter(|folder| folder.join("src").is_dir());
+    let named = |folder: PathBuf| {
+        let name = folder.file_name().expect("a name").to_string_lossy();
+        (name.into_owned(), Imports::of(&folder.join("src")))
+    };
+    sources.map(named).collect()
 }
 
 #[test]

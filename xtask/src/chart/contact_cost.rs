@@ -11,7 +11,7 @@ use stickslip_laboratory::measure::{summary, thread_seconds};
 use stickslip_laboratory::problems::{Pairing, Problem};
 use stickslip_laboratory::run::{Path, Run, run};
 
-use super::text::seconds;
+use super::data::seconds;
 use super::yardstick::{factorisation, stiffness};
 use crate::publish::TaskError;
 

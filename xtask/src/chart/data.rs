@@ -121,6 +121,17 @@ fn date(days: u64) -> [u64; 3] {
     ]
 }
 
+/// A time with two digits, in s or ms.
+pub(super) fn seconds(value: f64) -> String {
+    if value >= 1.0 {
+        format!("{value:.1} s")
+    } else if value >= 9.95e-3 {
+        format!("{:.0} ms", 1e3 * value)
+    } else {
+        format!("{:.1} ms", 1e3 * value)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

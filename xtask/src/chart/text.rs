@@ -10,7 +10,7 @@ use stickslip_laboratory::problems::Problem;
 use super::Charts;
 use super::bench::{Bench, Cost, Quantity};
 use super::curve::cost_of;
-use super::data::{machine, today};
+use super::data::{machine, seconds, today};
 use super::methods::{self, Group, Method};
 use crate::publish::TaskError;
 
@@ -240,16 +240,6 @@ fn number(value: f64) -> String {
         format!("{value:.0}")
     } else {
         format!("{value:.1}")
-    }
-}
-
-pub(super) fn seconds(value: f64) -> String {
-    if value >= 1.0 {
-        format!("{value:.1} s")
-    } else if value >= 9.95e-3 {
-        format!("{:.0} ms", 1e3 * value)
-    } else {
-        format!("{:.1} ms", 1e3 * value)
     }
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::exceptions::Kinds;
+use super::kinds::Kinds;
 use super::numbers::numbers;
 use crate::publish::TaskError;
 

@@ -11,8 +11,8 @@ use toml::Table;
 
 use super::history::{Stage, Stages};
 use super::joint::{Joint, coulomb, set};
+use super::judge::judge;
 use super::methods::{CHAIN, Method, methods};
-use super::outcome::judge;
 use super::row::Row;
 use super::{Context, Found};
 use crate::publish::TaskError;

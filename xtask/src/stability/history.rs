@@ -4,8 +4,8 @@ use stickslip_contact::state::TrialState;
 use stickslip_contact::{Chain, ContactState, InterfaceProblem, InterfaceSolver};
 use stickslip_laboratory::discrete::{Discrete, commit};
 
+use super::judge::judge;
 use super::methods::Method;
-use super::outcome::judge;
 use super::row::Row;
 
 /// A step with a verified answer; without one there is none, or none was found.

@@ -9,8 +9,8 @@ use stickslip_laboratory::discrete::commit;
 
 use super::history::increment;
 use super::joint::{Joint, coulomb, set};
+use super::judge::{distance, judge};
 use super::methods::{CHAIN, Method, methods};
-use super::outcome::{distance, judge};
 use super::row::Row;
 use super::{Context, Found};
 use crate::publish::TaskError;
@@ -119,7 +119,7 @@ fn follow(case: &Case, number: usize, unit: &[f64], method: &Method) -> (Row, Op
             // The step's own answer is not known: the judge looks at its conditions.
             if let Ok(solution) = method.solver.solve(&given.step()) {
                 let violation = given.check(&solution.trial);
-                steps.push(super::outcome::accepted(method, &solution, violation));
+                steps.push(super::judge::accepted(method, &solution, violation));
                 given.committed = commit(&given.committed, &solution.trial, &given.multipliers);
                 end = Some(solution.trial);
             } else {

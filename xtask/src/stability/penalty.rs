@@ -6,8 +6,8 @@ use stickslip_contact::{AugmentedLagrangian, InterfaceSolver, Penalty};
 
 use super::history::Stages;
 use super::joint::{Joint, set};
+use super::judge::distance;
 use super::methods::Method;
-use super::outcome::distance;
 use super::row::Row;
 use super::{Context, Found};
 use crate::publish::TaskError;

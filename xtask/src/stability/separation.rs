@@ -2,8 +2,9 @@
 
 use super::history::Stages;
 use super::joint::{Joint, set};
+use super::judge::judge;
 use super::methods::{CHAIN, methods};
-use super::outcome::{Outcome, judge};
+use super::outcome::Outcome;
 use super::row::Row;
 use super::{Context, Found};
 use crate::publish::TaskError;

@@ -13,7 +13,7 @@ use toml::{Table, Value};
 use super::TaskError;
 use super::map::{CategoryOf, Map};
 use super::quote::filled;
-use super::record::{expanded, list, matches, number};
+use super::record::{color, expanded, list, matches, number};
 use super::table::Tables;
 
 /// A figure as described.
@@ -244,7 +244,7 @@ impl Curve {
             }
         }
         let color = match &self.color {
-            Some(Value::String(text)) => parsed(text)?,
+            Some(Value::String(text)) => color(text)?,
             Some(Value::Integer(index)) => Color::category(usize::try_from(*index)?),
             _ => Color::category(index),
         };
@@ -271,13 +271,4 @@ impl Curve {
 fn pair(value: &Value) -> Option<[f64; 2]> {
     let values = value.as_array()?;
     Some([values.first()?.as_float()?, values.get(1)?.as_float()?])
-}
-
-/// A colour from `#rrggbb`.
-pub(super) fn parsed(text: &str) -> Result<Color, TaskError> {
-    let digits = text
-        .strip_prefix('#')
-        .ok_or_else(|| format!("no colour: {text}"))?;
-    let [_, red, green, blue] = u32::from_str_radix(digits, 16)?.to_be_bytes();
-    Ok(Color::rgb(red, green, blue))
 }

@@ -6,9 +6,8 @@ use stickslip_report::svg::Svg;
 use toml::Table;
 
 use super::TaskError;
-use super::figure::parsed;
 use super::quote::filled;
-use super::record::{matches, number, text};
+use super::record::{color, matches, number, text};
 use super::table::Tables;
 
 #[derive(Debug, Deserialize)]
@@ -105,7 +104,7 @@ impl Map {
             Ok(Category {
                 label: own.label.clone(),
                 mark: own.mark.clone(),
-                color: parsed(&own.color)?,
+                color: color(&own.color)?,
             })
         };
         let map = OutcomeMap {

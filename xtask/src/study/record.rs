@@ -9,6 +9,7 @@ use stickslip::host::HOST;
 use stickslip::results::Results;
 use stickslip::run::run;
 use stickslip::scene::Scene;
+use stickslip_report::color::Color;
 use toml::{Table, Value};
 
 use super::{TaskError, root};
@@ -255,6 +256,15 @@ pub(crate) fn scene(case: &Table) -> Result<Scene, TaskError> {
         &changes,
         HOST,
     )?)
+}
+
+/// A colour from `#rrggbb`.
+pub(super) fn color(text: &str) -> Result<Color, TaskError> {
+    let digits = text
+        .strip_prefix('#')
+        .ok_or_else(|| format!("no colour: {text}"))?;
+    let [_, red, green, blue] = u32::from_str_radix(digits, 16)?.to_be_bytes();
+    Ok(Color::rgb(red, green, blue))
 }
 
 #[cfg(test)]

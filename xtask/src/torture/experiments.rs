@@ -12,6 +12,7 @@ mod coverage;
 mod data;
 mod lab;
 mod parts;
+mod truth;
 
 use std::fmt::Write as _;
 use std::ops::Range;

@@ -9,8 +9,9 @@ use stickslip_laboratory::discrete::{self, Discrete, commit};
 use toml::Table;
 
 use crate::publish::TaskError;
+use crate::stability::judge::judge;
 use crate::stability::methods::{Method, methods};
-use crate::stability::outcome::{Outcome, judge};
+use crate::stability::outcome::Outcome;
 use crate::study::record::fields;
 
 /// Nodes of the punch.

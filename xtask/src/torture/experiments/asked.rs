@@ -12,7 +12,8 @@ use stickslip_hybrid::data::{Measurement, Places};
 use stickslip_hybrid::identify::Bounds;
 
 use super::data::Measurable;
-use super::lab::{Lab, Medium};
+use super::lab::Lab;
+use super::truth::Medium;
 use crate::publish::TaskError;
 use crate::torture::draw::Draw;
 

@@ -14,8 +14,9 @@ use stickslip::scene::Format;
 use stickslip_hybrid::data::Field;
 use stickslip_hybrid::fringe::{self, Depth, PixelMap};
 
-use super::lab::{Lab, Medium};
+use super::lab::Lab;
 use super::parts::is_loading;
+use super::truth::Medium;
 use crate::publish::TaskError;
 use crate::torture::quantity::{mm, text};
 

@@ -6,6 +6,7 @@ use super::parts::{
     Pin, Plate, asked, dilation, error_of, friction, laws, masks, medium, noise, region, rotation,
     scene,
 };
+use super::truth::{Friction, Medium};
 use crate::torture::draw::Draw;
 
 /// Share of laboratories whose laws are fitted, and of those whose model is a little wrong.
@@ -13,32 +14,6 @@ const FITTED: f64 = 0.45;
 const WRONG: f64 = 0.2;
 /// Share of those with many data and small errors, which show what sticks.
 const FINE: f64 = 0.1;
-
-/// Friction of the truth.
-#[derive(Clone, Debug)]
-pub(super) struct Friction {
-    /// Kind of the law, `coulomb` where there is no friction.
-    pub(super) kind: &'static str,
-    pub(super) fixed: f64,
-    pub(super) moving: f64,
-    /// Slip scale `[mm]` of `slip_power`.
-    pub(super) scale: f64,
-    pub(super) law: Value,
-}
-
-/// How displacements are seen.
-#[derive(Clone, Debug)]
-pub(super) enum Medium {
-    /// A table on a square grid; errors are means over squares of `reach` places.
-    Table { spacing: f64, reach: usize },
-    /// Fringe pictures of 8 bits: lines per mm, carrier `[1/mm]`, pixel `[mm]`, light that falls off by this part towards the corners.
-    Pictures {
-        frequency: f64,
-        carrier: f64,
-        pixel: f64,
-        falloff: f64,
-    },
-}
 
 /// All that is drawn from a seed.
 #[derive(Clone, Debug)]
@@ -72,24 +47,6 @@ pub(super) struct Lab {
     pub(super) wrong: Option<&'static str>,
     /// What is held, for the counts.
     pub(super) features: Vec<String>,
-}
-
-impl Friction {
-    fn named(&self) -> String {
-        let none = self.moving == 0.0;
-        format!("friction {}", if none { "none" } else { self.kind })
-    }
-}
-
-impl Medium {
-    fn named(&self) -> String {
-        let name = match self {
-            Self::Table { reach: 1, .. } => "table, independent errors",
-            Self::Table { .. } => "table, correlated errors",
-            Self::Pictures { .. } => "fringe pictures",
-        };
-        name.to_owned()
-    }
 }
 
 /// Load steps of the states, from 1.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::lab::{Friction, Medium};
+use super::truth::{Friction, Medium};
 use crate::torture::draw::{Draw, digits};
 use crate::torture::quantity::{deg, mm, mpa, text};
 
