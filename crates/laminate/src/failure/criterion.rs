@@ -73,6 +73,16 @@ pub trait FailureCriterion: Debug + Send + Sync {
     /// Returns the short name, as in the table of [`failure`](crate::failure).
     fn name(&self) -> &'static str;
 
+    /// Returns the name in tables and legends.
+    fn title(&self) -> String {
+        self.name().replace('_', " ")
+    }
+
+    /// Returns whether failure by this criterion ends a joint in any mode, as of criteria of ultimate failure.
+    fn is_ultimate(&self) -> bool {
+        false
+    }
+
     /// Returns the strengths that it needs.
     fn required(&self) -> &'static [Strength];
 
@@ -105,6 +115,14 @@ impl<C: FailureCriterion + ?Sized> FailureCriterion for Box<C> {
         self.as_ref().name()
     }
 
+    fn title(&self) -> String {
+        self.as_ref().title()
+    }
+
+    fn is_ultimate(&self) -> bool {
+        self.as_ref().is_ultimate()
+    }
+
     fn required(&self) -> &'static [Strength] {
         self.as_ref().required()
     }
@@ -122,6 +140,14 @@ impl<C: FailureCriterion + ?Sized> FailureCriterion for Box<C> {
 impl<C: FailureCriterion + ?Sized> FailureCriterion for Arc<C> {
     fn name(&self) -> &'static str {
         self.as_ref().name()
+    }
+
+    fn title(&self) -> String {
+        self.as_ref().title()
+    }
+
+    fn is_ultimate(&self) -> bool {
+        self.as_ref().is_ultimate()
     }
 
     fn required(&self) -> &'static [Strength] {

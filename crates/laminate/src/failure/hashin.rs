@@ -55,6 +55,10 @@ impl FailureCriterion for Hashin {
         "hashin"
     }
 
+    fn title(&self) -> String {
+        "Hashin".to_owned()
+    }
+
     fn required(&self) -> &'static [Strength] {
         &[
             Strength::Xt,

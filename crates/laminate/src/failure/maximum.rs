@@ -32,6 +32,10 @@ impl FailureCriterion for MaximumStress {
         "max_stress"
     }
 
+    fn title(&self) -> String {
+        "maximum stress".to_owned()
+    }
+
     fn required(&self) -> &'static [Strength] {
         &IN_PLANE
     }
@@ -50,6 +54,10 @@ impl FailureCriterion for MaximumStress {
 impl FailureCriterion for MaximumStrain {
     fn name(&self) -> &'static str {
         "max_strain"
+    }
+
+    fn title(&self) -> String {
+        "maximum strain".to_owned()
     }
 
     fn required(&self) -> &'static [Strength] {

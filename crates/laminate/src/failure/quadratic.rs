@@ -59,6 +59,10 @@ impl FailureCriterion for TsaiHill {
         "tsai_hill"
     }
 
+    fn title(&self) -> String {
+        "Tsai–Hill".to_owned()
+    }
+
     fn required(&self) -> &'static [Strength] {
         &IN_PLANE
     }
@@ -84,6 +88,10 @@ impl FailureCriterion for Hoffman {
         "hoffman"
     }
 
+    fn title(&self) -> String {
+        "Hoffman".to_owned()
+    }
+
     fn required(&self) -> &'static [Strength] {
         &IN_PLANE
     }
@@ -98,6 +106,10 @@ impl FailureCriterion for Hoffman {
 impl FailureCriterion for TsaiWu {
     fn name(&self) -> &'static str {
         "tsai_wu"
+    }
+
+    fn title(&self) -> String {
+        "Tsai–Wu".to_owned()
     }
 
     fn required(&self) -> &'static [Strength] {

@@ -46,6 +46,10 @@ impl FailureCriterion for TsaiHillSolid {
         "tsai_hill_3d"
     }
 
+    fn title(&self) -> String {
+        "Tsai–Hill (3-D)".to_owned()
+    }
+
     fn required(&self) -> &'static [Strength] {
         &PLANE
     }

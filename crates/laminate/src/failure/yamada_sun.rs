@@ -99,6 +99,14 @@ impl FailureCriterion for YamadaSun {
         "yamada_sun"
     }
 
+    fn title(&self) -> String {
+        "Yamada–Sun".to_owned()
+    }
+
+    fn is_ultimate(&self) -> bool {
+        true
+    }
+
     fn required(&self) -> &'static [Strength] {
         &[Strength::Xt, Strength::Xc, Strength::S12]
     }

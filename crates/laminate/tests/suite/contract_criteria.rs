@@ -1,5 +1,6 @@
 //! Every registered criterion keeps the contract, and a broken one fails the check that it breaks.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use stickslip_laminate::contract::{
@@ -23,6 +24,9 @@ fn every_registered_criterion_keeps_the_contract() {
         let criterion = (info.make)();
         assert_eq!(criterion.name(), info.name);
         assert!(!info.summary.is_empty());
+        let shared: Arc<dyn FailureCriterion> = Arc::from((info.make)());
+        assert_eq!(shared.title(), criterion.title());
+        assert_eq!(shared.is_ultimate(), info.name == "yamada_sun");
         check_criterion(criterion.as_ref(), &sample()).unwrap();
         // Stresses far from the strengths, and a surface met after a change of sign.
         for scale in [[1e-3, 1e-3, 1e-3], [300.0, 300.0, 300.0], [20.0, 90.0, 1.0]] {

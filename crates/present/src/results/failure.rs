@@ -10,6 +10,7 @@ pub(super) use maps::index_map;
 
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{BodyFailure, FailurePoint, FirstPly, Results};
+use stickslip_laminate::failure::criterion_named;
 use stickslip_scene::schema::EnvelopePlane;
 use stickslip_text::significant;
 
@@ -102,17 +103,8 @@ pub(super) fn layers(layers: &[usize]) -> String {
 
 /// A criterion's name for a reader.
 pub(super) fn criterion_name(name: &str) -> String {
-    match name {
-        "max_stress" => "maximum stress".into(),
-        "max_strain" => "maximum strain".into(),
-        "tsai_hill" => "Tsai–Hill".into(),
-        "tsai_hill_3d" => "Tsai–Hill (3-D)".into(),
-        "hoffman" => "Hoffman".into(),
-        "tsai_wu" => "Tsai–Wu".into(),
-        "hashin" => "Hashin".into(),
-        "yamada_sun" => "Yamada–Sun".into(),
-        other => other.replace('_', " "),
-    }
+    let criterion = criterion_named(name);
+    criterion.map_or_else(|_| name.replace('_', " "), |own| own.title())
 }
 
 /// Symbols of the mean stresses that span the plane of an envelope.

@@ -5,6 +5,7 @@ use stickslip_report::table::Table;
 use super::{FailureView, criterion_name, how, layers, load_text};
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{FirstPly, JointFailure};
+use stickslip_laminate::failure::criterion_named;
 use stickslip_text::{decimals, significant};
 
 /// What fails first, by every criterion and hypothesis.
@@ -137,7 +138,8 @@ pub(crate) fn joint_modes(view: &FailureView<'_>) -> Vec<String> {
     let sentence = |(criterion, joint): (&&str, &Option<JointFailure>)| {
         let joint = joint.as_ref()?;
         // A crack in the matrix of one ply is not the end of a joint.
-        let end = joint.first.at.mode.is_fibre() || *criterion == "yamada_sun";
+        let end = joint.first.at.mode.is_fibre()
+            || criterion_named(criterion).is_ok_and(|own| own.is_ultimate());
         let event = if end {
             "fails by"
         } else {

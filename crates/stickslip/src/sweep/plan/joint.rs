@@ -45,15 +45,15 @@ pub(super) fn contact(
     Err(conflict(document, "scene", message, remedy))
 }
 
-/// Criterion of the characteristic curve: the one named, Yamada and Sun's where the scene asks for it, or the scene's first.
+/// Criterion of the characteristic curve: the one named, else the scene's first of ultimate failure, else its first.
 pub(super) fn criterion(
     scene: &Scene,
     given: &JointFormat,
     document: &Document,
 ) -> Result<Option<String>, SceneError> {
     let asked = scene.failure.as_ref();
-    let criteria = asked.iter().flat_map(|failure| &failure.criteria);
-    let known: Vec<&str> = criteria.map(|criterion| criterion.name()).collect();
+    let criteria = || asked.iter().flat_map(|failure| &failure.criteria);
+    let known: Vec<&str> = criteria().map(|criterion| criterion.name()).collect();
     if let Some(name) = &given.criterion {
         if known.contains(&name.as_str()) {
             return Ok(Some(name.clone()));
@@ -64,6 +64,7 @@ pub(super) fn criterion(
     if asked.is_none_or(|failure| failure.characteristic.is_none()) {
         return Ok(None);
     }
-    let fibres = known.iter().find(|name| **name == "yamada_sun");
-    Ok(fibres.or(known.first()).map(|name| (*name).to_owned()))
+    let ultimate = criteria().find(|criterion| criterion.is_ultimate());
+    let chosen = ultimate.or_else(|| criteria().next());
+    Ok(chosen.map(|criterion| criterion.name().to_owned()))
 }
