@@ -21,6 +21,7 @@ mod disk;
 mod hole;
 mod imported;
 mod line_contact;
+mod note;
 mod outline;
 pub(crate) mod pattern;
 mod profile;
@@ -42,7 +43,7 @@ use crate::units::{Length, Quantity};
 pub use stickslip_mesher::Path;
 
 pub use self::curve::Curve;
-pub use self::imported::{FileCurve, FileNote};
+pub use self::note::{FileCurve, FileNote};
 pub(crate) use self::outline::Sizes;
 pub use self::outline::{CircleFit, Divided, DivisionError, Edge, Meshing, Outline, Role, Touch};
 

@@ -302,12 +302,12 @@ pub fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
     }
 }
 
-/// Ascending numbers with runs shortened: "2–5, 9".
 fn mesh_file(body: &str, notes: &[FileNote]) -> String {
     let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
     format!("The mesh of '{body}': {}.", notes.join("; "))
 }
 
+/// Ascending numbers with runs shortened: "2–5, 9".
 fn numbers(steps: &[usize]) -> String {
     let runs = steps.chunk_by(|a, b| a + 1 == *b);
     let shown = runs.map(|run| match run {

@@ -3,7 +3,6 @@
 //! Its sets name its edges and points. An edge whose nodes lie on a line, on a circle, or on lines and arcs one after another is that curve; others are splines where the scene says so.
 
 mod edges;
-mod note;
 mod placed;
 mod splines;
 
@@ -20,9 +19,9 @@ use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 use stickslip_mesh_files::{Coincident, Format, read_with};
 
 use self::edges::{edges, uneven};
-pub use self::note::{FileCurve, FileNote};
 use self::placed::{on_circles, placed};
 use super::Shape;
+use super::note::FileNote;
 use super::outline::{CircleFit, Divided, DivisionError, Edge, Meshing, Outline, Sizes};
 use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, lengths, text, words};
 use crate::digest::sha256;

@@ -12,7 +12,7 @@ use thiserror::Error;
 
 use super::Shape;
 use super::curve::Curve;
-use super::imported::FileNote;
+use super::note::FileNote;
 use crate::units::{Length, Quantity};
 
 /// A circle that was fitted to the corner nodes of an edge.

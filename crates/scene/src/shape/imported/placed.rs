@@ -3,7 +3,7 @@
 use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
 use stickslip_mesh_files::{CurveError, put_on_circles, recognise_set, snap, snap_pieces};
 
-use super::note::{FileCurve, FileNote};
+use crate::shape::note::{FileCurve, FileNote};
 use crate::shape::outline::CircleFit;
 
 /// The mesh of a file with the known curves of its edges but `splines`, and its mid nodes on them; `notes` get what was moved.

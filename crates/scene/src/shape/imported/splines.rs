@@ -3,8 +3,8 @@
 use stickslip_fem_core::mesh::{EdgePath, Mesh, Point};
 use stickslip_mesher::{Course, Spline};
 
-use super::note::{FileCurve, FileNote};
 use crate::shape::curve::Curve;
+use crate::shape::note::{FileCurve, FileNote};
 
 /// Angle between neighbouring chords `[rad]` from which on an edge has a corner.
 const CORNER: f64 = std::f64::consts::FRAC_PI_6;
