@@ -190,7 +190,7 @@ fn compare(draw: &Draw, asked: f64) -> Result<Compared, String> {
     let Some(ladder) = &found.ladder else {
         return Err("no ladder".into());
     };
-    let Some(last) = ladder.rungs.last() else {
+    let Some(last) = ladder.rungs.iter().rfind(|rung| !rung.stopped) else {
         return Err("no rung".into());
     };
     let truth = truth(draw, last.most_increments())?;

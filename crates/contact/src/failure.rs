@@ -130,6 +130,9 @@ pub enum FailureCause {
         /// Operations that the search may take.
         limit: u64,
     },
+    /// The time for the step is spent.
+    #[error("stopped, because the time is spent")]
+    Stopped,
     /// Contact on the deformed geometry does not settle.
     #[error(
         "contact on the deformed geometry changes by {change:.1e} of its scale after {passes} passes"
@@ -182,6 +185,7 @@ impl FailureCause {
             Self::TooManyPoints { .. } => "too many points",
             Self::Blocks { .. } => "compliance in blocks",
             Self::Effort { .. } => "work limit",
+            Self::Stopped => "stopped",
             Self::Geometry { .. } => "unsettled geometry",
             Self::Unfaced { .. } => "no closest point",
             Self::Apart { .. } => "closest points too far",
@@ -231,6 +235,12 @@ impl StepFailure {
             work,
             best: None,
         }
+    }
+
+    /// Whether the time for the step was spent, so that nothing is known of its solution.
+    pub fn is_stopped(&self) -> bool {
+        let mut attempts = self.attempts.iter();
+        attempts.any(|(_, cause)| *cause == FailureCause::Stopped)
     }
 
     /// The same failure with a state that came close; the better one is kept.

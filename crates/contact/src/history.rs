@@ -356,6 +356,10 @@ impl LoadPath for StepPath<'_> {
         refusal.work.operations
     }
 
+    fn is_final(refusal: &StepFailure) -> bool {
+        refusal.is_stopped()
+    }
+
     /// Also where a balance is proved impossible: the history then ends at the largest load that has one.
     fn cut_back(&mut self, refusal: StepFailure) {
         self.record.cut_back(&refusal);

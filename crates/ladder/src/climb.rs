@@ -51,6 +51,7 @@ pub(crate) fn climb(
         asked,
         start: scene.host().seconds(),
         rungs: Vec::new(),
+        ran_out: false,
         scene,
         models,
     };
@@ -75,12 +76,17 @@ pub(crate) fn climb(
                 let rung = last.rung + 1;
                 climb.models.grade(last, rung);
                 climb.models.seat(last);
-                climb.models.level(rung, &last.substeps, progress).ok()
+                let next = climb.level_in_time(rung, &last.substeps, progress);
+                next.ok().flatten()
             }
             _ => None,
         };
         let Some(level) = next else {
-            let end = end.unwrap_or(LadderEnd::Finest);
+            let end = end.unwrap_or(if climb.ran_out {
+                LadderEnd::Budget
+            } else {
+                LadderEnd::Finest
+            });
             return climb.finish(levels, errors, &path, &model, end);
         };
         if let Some(last) = levels.last_mut() {
@@ -104,6 +110,8 @@ struct Climb<'a> {
     asked: Option<Accuracy>,
     start: f64,
     rungs: Vec<Rung>,
+    /// Whether the budget ended the increments before they were fine enough, or a model.
+    ran_out: bool,
 }
 
 impl Climb<'_> {
@@ -243,13 +251,20 @@ impl Climb<'_> {
             return Ok((base, left));
         }
         let mut along = Along::default();
+        let mut left = None;
         let mut halved = vec![true; base.substeps.len()];
         loop {
             let both = base.substeps.iter().zip(&halved);
             let substeps: Vec<usize> = both
                 .map(|(count, half)| count << usize::from(*half))
                 .collect();
-            let finer = self.models.level(1, &substeps, progress)?;
+            let finer = match left.take() {
+                None => self.models.level(1, &substeps, progress)?,
+                Some(left) => match self.level_in_time(1, &substeps, progress)? {
+                    Some(finer) => finer,
+                    None => return Ok((base, left)),
+                },
+            };
             let change = difference(&finer.numbers, &base.numbers);
             let numbers = changes.halved(change, &finer.numbers.steps, &halved);
             along = along.halved(&finer.numbers, &base.numbers, &halved);
@@ -263,10 +278,42 @@ impl Climb<'_> {
             }
             let is_fine = !halved.contains(&true);
             if is_fine || self.is_spent(&finer) {
+                self.ran_out = !is_fine;
                 return Ok((finer, Left { numbers, along }));
             }
+            // Of fewer increments too little is known to answer with them.
+            let least = LEAST * self.scene.analysis.substeps();
+            left = substeps.iter().all(|&count| count >= least).then(|| Left {
+                numbers,
+                along: along.clone(),
+            });
             base = finer;
         }
+    }
+
+    /// As [`Models::level`], but given up when the budget is spent, which is recorded; none is returned then.
+    fn level_in_time(
+        &mut self,
+        rung: usize,
+        substeps: &[usize],
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<Option<Level>, RunError> {
+        let start = self.scene.host().seconds();
+        self.models.until = self.until();
+        let found = self.models.level(rung, substeps, progress);
+        self.models.until = None;
+        if found.is_ok() || !self.models.stopped {
+            return found.map(Some);
+        }
+        self.ran_out = true;
+        self.rungs.push(Rung {
+            model: self.models.division_of(rung),
+            increments: substeps.to_vec(),
+            error: None,
+            seconds: self.scene.host().seconds() - start,
+            stopped: true,
+        });
+        Ok(None)
     }
 
     /// What bounds the errors that are compared.
@@ -280,6 +327,7 @@ impl Climb<'_> {
             increments: level.substeps.clone(),
             error,
             seconds: level.seconds,
+            stopped: false,
         });
     }
 
@@ -288,8 +336,9 @@ impl Climb<'_> {
         let last = levels.last()?;
         let worst = worst(&last.numbers, errors, self.bounds());
         let error = worst.map(Worst::named);
-        let is_known =
-            |rung: &Rung| (&rung.model, &rung.increments) == (&last.division, &last.substeps);
+        let is_known = |rung: &Rung| {
+            (&rung.model, &rung.increments) == (&last.division, &last.substeps) && !rung.stopped
+        };
         match self.rungs.iter_mut().rev().find(|rung| is_known(rung)) {
             Some(rung) => rung.error = error,
             None => self.record(last, error),
@@ -298,6 +347,8 @@ impl Climb<'_> {
         let reached = self.asked.is_some() && is_met;
         if reached {
             Some(LadderEnd::Reached)
+        } else if self.ran_out {
+            Some(LadderEnd::Budget)
         } else if self.models.division() == Division::Pinned {
             Some(LadderEnd::Pinned)
         } else if self.is_spent(last) {
@@ -309,13 +360,18 @@ impl Climb<'_> {
         }
     }
 
-    /// Whether a model finer than `last` would exceed the budget.
-    fn is_spent(&self, last: &Level) -> bool {
-        let spent = self.scene.host().seconds() - self.start + GROWTH * last.seconds_anew;
+    /// When the budget is spent, on the clock of the scene's host `[s]`.
+    fn until(&self) -> Option<f64> {
         let analysis = &self.scene.analysis;
         let patience = analysis.accuracy.is_none().then_some(PATIENCE);
         let budget = analysis.budget.map(Budget::seconds).or(patience);
-        budget.is_some_and(|budget| spent > budget)
+        budget.map(|budget| self.start + budget)
+    }
+
+    /// Whether a model finer than `last` would exceed the budget.
+    fn is_spent(&self, last: &Level) -> bool {
+        let then = self.scene.host().seconds() + GROWTH * last.seconds_anew;
+        self.until().is_some_and(|until| then > until)
     }
 
     /// The results of the last level, with their errors.

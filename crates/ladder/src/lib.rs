@@ -21,6 +21,7 @@
 //! docs/accuracy.md shows how often the truth lies within.
 
 mod along;
+mod budget;
 mod climb;
 mod division;
 mod failure;

@@ -9,6 +9,7 @@ use stickslip_scene::schema::{
     Body, Division as MeshDivision, KinematicsChoice, MeshSettings, Ramp,
 };
 
+use super::budget::Limited;
 use super::division::Spaced;
 use super::grading::{Domain, Grading};
 use super::level::{Level, described, numbers};
@@ -78,6 +79,10 @@ pub(super) struct Models<'a> {
     made: Option<Made>,
     /// On which geometry contact is found.
     pub(super) kinematics: KinematicsChoice,
+    /// When a model is given up, on the clock of the scene's host `[s]`.
+    pub(super) until: Option<f64>,
+    /// Whether the last one was given up.
+    pub(super) stopped: bool,
 }
 
 impl<'a> Models<'a> {
@@ -107,6 +112,8 @@ impl<'a> Models<'a> {
             seats: Vec::new(),
             made: None,
             kinematics,
+            until: None,
+            stopped: false,
         })
     }
 
@@ -216,16 +223,22 @@ impl<'a> Models<'a> {
         let ready = host.seconds();
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         let chosen = graded.and_then(|graded| thinning::chosen(&model, &graded.grading));
-        let mut solved = match &chosen {
-            Some(chosen) => follow_thinned(&model, assembled, self.solver, chosen, progress)?,
+        let limited = self
+            .until
+            .map(|until| Limited::new(self.solver, host, until));
+        let solver = (limited.as_ref()).map_or(self.solver, |own| own as &dyn InterfaceSolver);
+        let followed = match &chosen {
+            Some(chosen) => follow_thinned(&model, assembled, solver, chosen, progress),
             None => follow(
                 &model,
                 assembled.operators,
                 assembled.interface,
-                self.solver,
+                solver,
                 progress,
-            )?,
+            ),
         };
+        self.stopped = limited.as_ref().is_some_and(Limited::has_refused);
+        let mut solved = followed?;
         solved.phases.insert(0, ("operators", ready - start));
         let numbers = numbers(&model, &solved)?;
         let end = host.seconds();
@@ -290,6 +303,11 @@ impl<'a> Models<'a> {
         } else {
             "series"
         }
+    }
+
+    /// How the model of `rung` is divided, for a reader.
+    pub(super) fn division_of(&self, rung: usize) -> String {
+        self.scene_of(rung).1
     }
 
     /// The scene of a rung, and how it is divided.

@@ -217,10 +217,12 @@ pub struct Rung {
     pub model: String,
     /// Increments of each load step.
     pub increments: Vec<usize>,
-    /// The relative error of what is asked for that is largest beside its bound, and what has it; `None` of the first rung, which has no coarser one to compare with.
+    /// The relative error of what is asked for that is largest beside its bound, and what has it; `None` of the first rung, which has no coarser one to compare with, and of one that was stopped.
     pub error: Option<(f64, Stated)>,
     /// Wall time `[s]`.
     pub seconds: f64,
+    /// Whether it was given up because the budget was spent.
+    pub stopped: bool,
 }
 
 impl Rung {
@@ -235,7 +237,7 @@ impl Rung {
 pub struct Ladder {
     /// What was asked for; `None` where only errors were.
     pub asked: Option<Accuracy>,
-    /// What was tried, in this order; the results are those of the last one.
+    /// What was tried, in this order; the results are those of the last one that was not stopped.
     pub rungs: Vec<Rung>,
     /// Why the climb ended there.
     pub end: LadderEnd,

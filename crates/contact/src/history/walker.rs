@@ -81,6 +81,11 @@ pub trait LoadPath {
     /// Floating-point operations that a refused attempt cost.
     fn cost(refusal: &Self::Refusal) -> u64;
 
+    /// Whether no shorter increment is worth a try after `refusal`.
+    fn is_final(_refusal: &Self::Refusal) -> bool {
+        false
+    }
+
     /// Takes note of a `refusal` after which a shorter increment is tried.
     fn cut_back(&mut self, refusal: Self::Refusal);
 }
@@ -123,7 +128,7 @@ impl Walker {
             self.whole
         };
         let (mut refusals, mut steady) = (0, 0);
-        let (mut spent, mut dearest) = (0, 0);
+        let (mut spent, mut largest) = (0, 0);
         while reached < to {
             let left = to - reached;
             let increment = LoadIncrement {
@@ -150,10 +155,10 @@ impl Walker {
                     let mut effort = None;
                     if !increment.smallest {
                         let cost = P::cost(&refusal);
-                        (spent, dearest) = (spent + cost, dearest.max(cost));
-                        effort = self.exceeded(spent, dearest);
+                        (spent, largest) = (spent + cost, largest.max(cost));
+                        effort = self.exceeded(spent, largest);
                     }
-                    if increment.smallest || effort.is_some() {
+                    if increment.smallest || effort.is_some() || P::is_final(&refusal) {
                         return Err(Blocked {
                             reached,
                             refusal,
@@ -171,8 +176,8 @@ impl Walker {
     }
 
     /// What refusals cost, if that is more than they may.
-    fn exceeded(&self, operations: u64, dearest: u64) -> Option<Effort> {
-        let limit = self.effort?.max(2 * dearest);
+    fn exceeded(&self, operations: u64, largest: u64) -> Option<Effort> {
+        let limit = self.effort?.max(2 * largest);
         (operations > limit).then_some(Effort { operations, limit })
     }
 }

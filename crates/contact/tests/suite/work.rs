@@ -59,23 +59,30 @@ fn of_many_points_a_part_is_pivoted() {
         let [down, along] = [-1.0 + 30.0 * (x(i / 2) - 0.1).powi(2), 0.3];
         if i % 2 == 0 { down } else { along }
     });
-    let body = GivenBody::held(compliance, vec![pushed]).unwrap();
-    let places = (0..COUNT).map(x).collect();
-    let problem = Ground::along_x(places, coulomb(0.3)).under(&body);
-    let start = ContactState::unloaded(&problem);
-    let [pivoted, newton] = [
-        solve(&Pivoting::default(), &problem, &start, &[1.0]),
-        solve(&SemismoothNewton::default(), &problem, &start, &[1.0]),
-    ]
-    .map(Result::unwrap);
-    let touching = pivoted.trial.status.iter().filter(|own| own.touches());
-    assert!((150..300).contains(&touching.count()));
-    assert_eq!(pivoted.trial.status, newton.trial.status);
-    let off = (&pivoted.trial.forces - &newton.trial.forces).amax();
-    assert!(off <= 1e-9 * newton.trial.forces.amax(), "{off:e}");
-    let order = 3 * COUNT as u64;
-    let whole = 2 * order * (order + 2) * pivoted.work.pivots as u64;
-    assert!(pivoted.work.operations < whole / 2, "{:?}", pivoted.work);
+    let held = GivenBody::held(compliance.clone(), vec![pushed.clone()]);
+    let motions = DMatrix::from_fn(2 * COUNT, 2, |i, j| f64::from(u8::from(i % 2 == j)));
+    let load = DVector::from_row_slice(&[-80.0, 16.0]);
+    let floating = GivenBody::floating(compliance, motions, vec![pushed], vec![load]);
+    for body in [held, floating].map(Result::unwrap) {
+        let places = (0..COUNT).map(x).collect();
+        let problem = Ground::along_x(places, coulomb(0.3)).under(&body);
+        let start = ContactState::unloaded(&problem);
+        let [pivoted, newton] = [
+            solve(&Pivoting::default(), &problem, &start, &[1.0]),
+            solve(&SemismoothNewton::default(), &problem, &start, &[1.0]),
+        ]
+        .map(Result::unwrap);
+        let touching = pivoted.trial.status.iter().filter(|own| own.touches());
+        assert!((100..400).contains(&touching.count()));
+        assert_eq!(pivoted.trial.status, newton.trial.status);
+        let off = (&pivoted.trial.forces - &newton.trial.forces).amax();
+        assert!(off <= 1e-9 * newton.trial.forces.amax(), "{off:e}");
+        let order = 3 * COUNT as u64;
+        let whole = 2 * order * (order + 2) * pivoted.work.pivots as u64;
+        let work = pivoted.work;
+        // Statuses are found by pivoting: what confirms them has little to correct.
+        assert!(work.solves <= 4 && work.operations < whole / 2, "{work:?}");
+    }
 }
 
 /// Pivoting alone gets the proof that the chain makes, and is not begun.

@@ -89,6 +89,7 @@ fn sought(ladder: &Ladder) -> Sought {
         increments_of_steps: rung.increments.clone(),
         error: rung.error.and_then(|(error, _)| tidy(error)),
         of: rung.error.map(|(_, stated)| stated.describe()),
+        stopped: rung.stopped,
         wall_time_s: microseconds(rung.seconds),
     };
     Sought {

@@ -271,7 +271,7 @@ pub(super) fn ladder(results: &Results) -> Option<Table> {
             (percent(error), stated.describe())
         });
         [
-            rung.model.clone(),
+            rung.model.clone() + if rung.stopped { ", stopped" } else { "" },
             from_to(&rung.increments),
             error,
             of.to_owned(),

@@ -67,7 +67,7 @@ pub(super) const TABLES: &[Table] = &[
             with its own: `peak_pressure`, `peak_hoop`, `contact_extent`, `stick_extent`, `friction_force`, `normal_force`, \
             `hoop_at_bearing`"),
         words("budget", "time", r#"`"60 s"` without `accuracy`, no limit with it"#, r#""10 s""#,
-            "time after which no finer model is tried; the result then states the error that it has; needs `accuracy`"),
+            "time after which no finer model is tried, and one that is not ready is given up; the result then states the error that it has; needs `accuracy`"),
         integer("contact_nodes", "by the accuracy", "61",
             "nodes on half of each contact circle of bodies by series; pins them").range(counts(9, 2049)),
     ]),

@@ -1,9 +1,15 @@
 //! What a ladder chooses, and whether its errors hold.
 
+use std::io;
+use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
+
 use stickslip::results::{ContactFinding, Finding, LadderEnd, Results, Stated};
+use stickslip::scene::host::{Host, System};
+use stickslip::scene::{Format, Scene};
 
 use super::series::PIN;
-use super::solved;
+use super::{results, solved};
 
 const SMALL: &str = "analysis.kinematics=small";
 const DEFORMED: &str = "analysis.kinematics=deformed-gaps";
@@ -264,4 +270,80 @@ fn a_stress_without_a_limit_has_no_error() {
                 .any(|&stated| edge.errors.get(stated).is_none())
         );
     }
+}
+
+/// No files, and a clock that goes on by a second whenever it is asked.
+#[derive(Debug, Default)]
+struct Counter(AtomicU32);
+
+impl System for Counter {
+    fn read(&self, _: &Path, _: u64) -> io::Result<Vec<u8>> {
+        Err(io::ErrorKind::Unsupported.into())
+    }
+
+    fn length(&self, _: &Path) -> io::Result<u64> {
+        Err(io::ErrorKind::Unsupported.into())
+    }
+
+    fn seconds(&self) -> f64 {
+        f64::from(self.0.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
+/// `text` with `changes` and a budget of so many readings of the clock.
+fn within(text: &str, changes: &[&str], readings: u32) -> Results {
+    let budget = format!(r#"analysis.budget="{readings} s""#);
+    let changes = [changes, &[&budget]].concat();
+    let host = Host::of(Counter::default());
+    let read = Scene::from_text_on(
+        text,
+        Format::Toml,
+        "pin.toml",
+        Path::new(""),
+        &changes,
+        host,
+    );
+    results(&read.unwrap())
+}
+
+/// A model that is not ready when the budget is spent is given up, and the answer before it stands with its errors.
+#[test]
+fn a_budget_ends_within_a_model() {
+    let asked = r#"analysis.accuracy="1e-6 %""#;
+    let changes = [SMALL, asked, "analysis.substeps=16"];
+    let finest = by(&changes);
+    let mut stopped = 0;
+    for readings in (40..120).step_by(5) {
+        let found = within(PIN, &changes, readings);
+        let ladder = found.ladder.as_ref().unwrap();
+        assert_eq!(ladder.end, LadderEnd::Budget, "{readings}: {ladder:?}");
+        let mut rungs = ladder.rungs.iter().rev();
+        let last = rungs.next().unwrap();
+        if last.stopped {
+            stopped += 1;
+            let before = rungs.next().and_then(|rung| rung.error);
+            assert!(last.error.is_none() && before.is_some(), "{ladder:?}");
+        }
+        let misses = misses(&found, &finest, &Stated::ALL);
+        assert!(misses.is_empty(), "{readings}: {misses:#?}");
+    }
+    assert!(stopped > 1, "{stopped}");
+}
+
+/// The same of increments that are left to the program.
+#[test]
+fn a_budget_ends_the_search_for_increments() {
+    let free = PIN.replace("[analysis]\nsubsteps = 1\n", "");
+    let changes = [SMALL, r#"analysis.accuracy="0.01 %""#];
+    let finest = solved(&free, &changes);
+    let mut stopped = 0;
+    for readings in (80..640).step_by(40) {
+        let found = within(&free, &changes, readings);
+        let ladder = found.ladder.as_ref().unwrap();
+        assert_eq!(ladder.end, LadderEnd::Budget, "{readings}: {ladder:?}");
+        stopped += usize::from(ladder.rungs.iter().any(|rung| rung.stopped));
+        let misses = misses(&found, &finest, &Stated::ALL);
+        assert!(misses.is_empty(), "{readings}: {misses:#?}");
+    }
+    assert!(stopped > 1, "{stopped}");
 }

@@ -75,6 +75,7 @@ pub(super) struct Tried {
     /// Largest relative error, and what has it.
     pub(super) error: Option<f64>,
     pub(super) of: Option<&'static str>,
+    pub(super) stopped: bool,
     pub(super) wall_time_s: f64,
 }
 
