@@ -337,7 +337,7 @@ fn a_budget_ends_the_search_for_increments() {
     let changes = [SMALL, r#"analysis.accuracy="0.01 %""#];
     let finest = solved(&free, &changes);
     let mut stopped = 0;
-    for readings in (80..640).step_by(40) {
+    for readings in (50..260).step_by(7) {
         let found = within(&free, &changes, readings);
         let ladder = found.ladder.as_ref().unwrap();
         assert_eq!(ladder.end, LadderEnd::Budget, "{readings}: {ladder:?}");
