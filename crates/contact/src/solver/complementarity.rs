@@ -122,11 +122,6 @@ impl<'a> Complementarity<'a> {
         }
     }
 
-    /// Number of points.
-    pub(super) fn count(&self) -> usize {
-        self.coefficients.len()
-    }
-
     /// The conditions of `chosen` points, which ascend.
     pub(super) fn among(&self, chosen: &[usize]) -> Conditions<'_> {
         let points = self.step.problem.points();

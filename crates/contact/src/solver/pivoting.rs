@@ -21,7 +21,8 @@ use crate::state::Status;
 pub struct Pivoting {
     /// Largest number of pivots per complementarity problem, in multiples of its order; rarely are more than two needed.
     pub pivots_per_unknown: usize,
-    /// Floating-point operations after which a step is given up, as far as there were enough for the complementarity problem that is pivoted: four pivots per unknown.
+    /// Floating-point operations after which a step is given up, as far as its first complementarity problem has had pivots enough: four
+    /// per unknown.
     pub effort: u64,
     /// Number of covering vectors that are tried.
     pub covers: usize,
@@ -45,14 +46,12 @@ const ENOUGH: u64 = 4;
 
 /// Points above which only a part of them is chosen first: a pivot costs their number squared.
 const MANY: usize = 256;
-/// How often points are added before all are taken.
-const GROWTHS: usize = 5;
 
 /// The points with which the search begins: all of a few, and of many every second, third and so on, with those that touched.
 fn first_chosen(step: &Step<'_>) -> Vec<usize> {
     let stride = step.count().div_ceil(MANY).max(1);
-    let status = step.starting_status().into_iter().enumerate();
-    let is_chosen = |(k, status): &(usize, Status)| k % stride == 0 || status.touches();
+    let status = step.committed.status.iter().enumerate();
+    let is_chosen = |(k, status): &(usize, &Status)| k % stride == 0 || status.touches();
     status.filter(is_chosen).map(|(k, _)| k).collect()
 }
 
@@ -119,8 +118,7 @@ impl Pivoting {
         Err(last)
     }
 
-    /// The solution with covering vector number `cover` on the points `chosen`, which get those that it lets overlap until there are none; or why there is none on all
-    /// points.
+    /// The solution with covering vector number `cover` on the points `chosen`, which get those that it lets overlap until there are none; or why there is none.
     ///
     /// # Errors
     /// [`FailureCause::Effort`] where no pivots are left.
@@ -131,20 +129,17 @@ impl Pivoting {
         chosen: &mut Vec<usize>,
         work: &mut Work,
     ) -> Result<Result<Candidate, FailureCause>, FailureCause> {
-        for growth in 0.. {
+        loop {
             let conditions = problem.among(chosen);
             let limit = self.pivots_left(conditions.order(), work.operations)?;
             match conditions.solve(cover, limit, work) {
-                Ok(candidate) if candidate.overlapping.is_empty() => return Ok(Ok(candidate)),
-                Ok(candidate) if growth < GROWTHS => {
+                Ok(candidate) if !candidate.overlapping.is_empty() => {
                     chosen.extend(&candidate.overlapping);
                     chosen.sort_unstable();
                 }
-                Err(cause) if chosen.len() == problem.count() => return Ok(Err(cause)),
-                Ok(_) | Err(_) => *chosen = (0..problem.count()).collect(),
+                ended => return Ok(ended),
             }
         }
-        Ok(Err(FailureCause::Ray))
     }
 
     /// Pivots that a problem of `order` pairs may have after `operations`.
