@@ -336,9 +336,8 @@ impl Climb<'_> {
         let last = levels.last()?;
         let worst = worst(&last.numbers, errors, self.bounds());
         let error = worst.map(Worst::named);
-        let is_known = |rung: &Rung| {
-            (&rung.model, &rung.increments) == (&last.division, &last.substeps) && !rung.stopped
-        };
+        let is_known =
+            |rung: &Rung| (&rung.model, &rung.increments) == (&last.division, &last.substeps);
         match self.rungs.iter_mut().rev().find(|rung| is_known(rung)) {
             Some(rung) => rung.error = error,
             None => self.record(last, error),

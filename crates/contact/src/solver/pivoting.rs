@@ -21,8 +21,8 @@ use crate::state::Status;
 pub struct Pivoting {
     /// Largest number of pivots per complementarity problem, in multiples of its order; rarely are more than two needed.
     pub pivots_per_unknown: usize,
-    /// Floating-point operations after which a step is given up, as far as its first complementarity problem has had pivots enough: four
-    /// per unknown.
+    /// Floating-point operations after which a step is given up, as far as the complementarity problem that is pivoted had enough: four
+    /// pivots per unknown.
     pub effort: u64,
     /// Number of covering vectors that are tried.
     pub covers: usize,
@@ -47,11 +47,11 @@ const ENOUGH: u64 = 4;
 /// Points above which only a part of them is chosen first: a pivot costs their number squared.
 const MANY: usize = 256;
 
-/// The points with which the search begins: all of a few, and of many every second, third and so on, with those that touched.
+/// The points with which the search begins: all of a few, and of many every second, third and so on, with those that may touch.
 fn first_chosen(step: &Step<'_>) -> Vec<usize> {
     let stride = step.count().div_ceil(MANY).max(1);
-    let status = step.committed.status.iter().enumerate();
-    let is_chosen = |(k, status): &(usize, &Status)| k % stride == 0 || status.touches();
+    let status = step.starting_status().into_iter().enumerate();
+    let is_chosen = |(k, status): &(usize, Status)| k % stride == 0 || status.touches();
     status.filter(is_chosen).map(|(k, _)| k).collect()
 }
 
@@ -108,7 +108,12 @@ impl Pivoting {
                 }
             }
             let Some(candidate) = next else {
-                return Err(ended);
+                if chosen.len() == step.count() {
+                    return Err(ended);
+                }
+                // A ray of a part says nothing of all points.
+                chosen = (0..step.count()).collect();
+                continue;
             };
             secants.advance(&candidate);
             if secants.coefficients(step) == coefficients {

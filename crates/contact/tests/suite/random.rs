@@ -300,3 +300,19 @@ fn a_tie_of_statuses_is_solved() {
     check(&step, &Chain::default(), &all).unwrap();
     check(&step, &Pivoting::default(), &all).unwrap();
 }
+
+/// Of 300 points a part is pivoted first. That of these seeds ends on a ray with the first covering vector, where all points have a solution.
+#[test]
+fn a_ray_of_a_part_is_not_the_end() {
+    let pivoting = Pivoting {
+        covers: 1,
+        ..Pivoting::default()
+    };
+    for seed in [8, 17, 23, 24] {
+        let mut draw = generator(seed);
+        let problem = problem(&mut draw, 300, 2);
+        let start = ContactState::unloaded(&problem);
+        let found = solve(&pivoting, &problem, &start, &[draw(), draw()]);
+        assert!(found.is_ok(), "{seed}: {}", found.unwrap_err());
+    }
+}

@@ -327,7 +327,7 @@ fn a_declared_circle_gets_its_nodes() {
     });
     let (edge, radius) = note.expect("a note on the circle");
     assert_eq!(edge, "hole");
-    assert!((radius - 5.0).abs() < 0.01, "{radius}");
+    assert!((radius - 5.0).abs() < 0.005, "{radius}");
     let (edge, off) = fitted(&found).expect("a finding on the radius");
     assert_eq!(edge, "plate.hole");
     assert!((4e-3..6e-3).contains(&off), "{off}");
