@@ -108,7 +108,7 @@ pub fn sliding_pairs(
     let Some(relative) = unresisted(problem, state, held) else {
         return Vec::new();
     };
-    let pressed = pressed(state);
+    let pressed = pressed(&state.forces, &state.status);
     let rubbing: Vec<usize> = (0..slip.len())
         .filter(|&k| pressed(k) && bound(k).slip > 0.0)
         .collect();
@@ -143,7 +143,7 @@ fn unresisted(
     state: &ContactState,
     held: impl Fn(usize) -> bool,
 ) -> Option<DMatrix<f64>> {
-    let pressed = pressed(state);
+    let pressed = pressed(&state.forces, &state.status);
     let rows = (0..state.status.len())
         .filter(|&k| pressed(k))
         .flat_map(|k| {
@@ -154,13 +154,16 @@ fn unresisted(
     Some(problem.modes() * FreeMotions::of(problem, rows)?.projector)
 }
 
-/// Whether a point is pressed; one that closes without force is as well a moment before it does.
-fn pressed(state: &ContactState) -> impl Fn(usize) -> bool + '_ {
-    let least = FORCELESS * state.forces.amax();
-    move |k| state.status[k].touches() && state.normal_force(k) > least
+/// Whether a point is pressed under the contact forces `forces`, 2n; one that closes without force is as well a moment before it does.
+pub(crate) fn pressed<'a>(
+    forces: &'a DVector<f64>,
+    status: &'a [Status],
+) -> impl Fn(usize) -> bool + 'a {
+    let least = FORCELESS * forces.amax();
+    move |k| status[k].touches() && forces[2 * k] > least
 }
 
-/// Columns α of length 1 that nothing resists, m × f.
+/// Columns α of length 1 that nothing resists, m × f, in the units of [`InterfaceProblem::modes`].
 pub fn unresisted_motions(problem: &InterfaceProblem) -> DMatrix<f64> {
     let modes = problem.modes();
     if modes.ncols() == 0 {

@@ -5,6 +5,7 @@ mod carry;
 mod course;
 mod frictionless;
 mod increment;
+mod least_motion;
 mod merged;
 mod otherwise;
 mod passes;

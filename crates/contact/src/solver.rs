@@ -36,6 +36,7 @@ mod enumeration;
 mod frozen;
 mod gauss_seidel;
 mod hold;
+pub(crate) mod least_distance;
 mod least_index;
 mod lemke;
 mod mixing;

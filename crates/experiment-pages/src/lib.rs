@@ -2,6 +2,39 @@
 //!
 //! [`report`](fn@report) goes through the chain of an experiment and fills an [`ExperimentReport`], which hands each file as name and bytes to its
 //! caller; nothing here touches a file.
+//!
+//! [`check`](check::check) says what an experiment would be analysed from, before anything is solved:
+//!
+//! ```
+//! use std::path::Path;
+//! use stickslip_experiment_pages::{check::check, stickslip_experiment::Experiment};
+//! use stickslip_scene::{Format, host::{Host, MemoryFiles}};
+//!
+//! let scene = r#"
+//! version = 1
+//! materials.epoxy.isotropic = { young = "3 GPa", poisson = 0.36 }
+//! loads = [{ on = "plate.left", force = { direction = [-1, 0], steps = ["300 N"] } }]
+//! supports = [{ on = "plate.right", fix = ["x", "y"] }]
+//! [bodies.plate]
+//! material = "epoxy"
+//! thickness = "4 mm"
+//! shape.plate_with_hole = { hole_radius = "6 mm", outline.strip = { half_width = "24 mm", left = "48 mm", right = "48 mm" } }
+//! "#;
+//! let experiment = r#"
+//! version = 1
+//! specimen = { scene = "plate.toml", body = "plate", edge = "hole" }
+//! grating.frequency = "1200 1/mm"
+//! fringes = { window = [["-9 mm", "-9 mm"], ["9 mm", "9 mm"]], pixel = "0.05 mm" }
+//! states = [{ name = "pulled", step = 1 }]
+//! region.sector = { angles = ["20 deg", "160 deg"], outer = "8.5 mm", cells = [24, 6] }
+//! "#;
+//! let host = Host::of(MemoryFiles::from_iter([("plate.toml", scene)]));
+//! let experiment =
+//!     Experiment::from_text(experiment, Format::Toml, "pull.toml", Path::new(""), &[""; 0], host)?;
+//! let lines = check(&experiment)?.lines;
+//! assert_eq!(lines[2], ("state", "pulled: synthetic pictures of the scene, not made here".to_owned()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod analysed;
 pub mod check;

@@ -68,7 +68,7 @@ pub trait InterfaceOperator: Debug + Send + Sync {
         }
     }
 
-    /// Rigid motions R of the contact points, 2n × f; f = 0 for a body that is held.
+    /// Rigid motions R of the contact points, 2n × f, in the displacements `[length]` of a unit of each; f = 0 for a body that is held.
     fn modes(&self) -> &DMatrix<f64>;
 
     /// Number of load cases.

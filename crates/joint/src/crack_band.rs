@@ -54,7 +54,7 @@ pub enum CrackBandError {
     Laminate(#[from] LaminateError),
 }
 
-/// Energies `[force/length]` that a crack of unit area takes, by what it breaks; without one the strength stays the ply's own.
+/// Energies `[force/length]` that a crack of unit area takes, by what it breaks; without one the strength stays the ply's own (Bažant & Oh 1983).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FractureEnergies {
     /// Fibres in tension.

@@ -46,8 +46,7 @@ impl Truth {
             what: format!("body '{}' is not an elastic body of the model", own.body),
             remedy: "name an elastic body".to_owned(),
         };
-        let named = |body: &stickslip_engine::model::ModelBody| body.name == own.body;
-        let index = model.bodies.iter().position(named).ok_or_else(missing)?;
+        let index = own.index().ok_or_else(missing)?;
         let elastic = solved.operators[index].elastic().ok_or_else(missing)?;
         let mesh = model.placed(&own.body, elastic.body().mesh());
         let mesh = mesh.map_err(RunError::from)?;

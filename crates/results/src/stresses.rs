@@ -29,14 +29,14 @@ pub struct BodyStresses {
     pub least_principal: StressPeak,
 }
 
-/// The von Mises stress of (σ_xx, σ_yy, τ_xy) and σ_zz.
+/// The von Mises stress `[stress]` of (σ_xx, σ_yy, τ_xy) and σ_zz `[stress]`, √(½ Σ (σ_i − σ_j)² + 3 τ_xy²).
 pub fn von_mises([xx, yy, xy]: [f64; 3], zz: f64) -> f64 {
     let differences = [xx - yy, yy - zz, zz - xx];
     let normal: f64 = differences.iter().map(|d| d * d).sum();
     (0.5 * normal + 3.0 * xy * xy).sqrt()
 }
 
-/// The principal stresses in the plane of (σ_xx, σ_yy, τ_xy), the larger first.
+/// The principal stresses `[stress]` in the plane of (σ_xx, σ_yy, τ_xy) `[stress]`, the larger first (Mohr's circle).
 pub fn principal([xx, yy, xy]: [f64; 3]) -> [f64; 2] {
     let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
     let radius = half.hypot(xy);

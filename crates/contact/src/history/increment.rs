@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::frictionless;
+use super::{frictionless, least_motion};
 use crate::solver::{Residuals, Step};
 use crate::state::{ContactState, Status, TrialState};
 
@@ -20,8 +20,10 @@ pub struct Increment {
 }
 
 impl Increment {
-    /// Accepts `trial` as the end of `step`: histories advance, and points without friction slip along their motion.
+    /// Accepts `trial` as the end of `step`: bodies that hang loose take the place to which they move least, histories advance, and points
+    /// without friction slip along their motion.
     pub fn accept(step: &Step<'_>, mut trial: TrialState) -> Self {
+        least_motion::take(step, &mut trial);
         frictionless::slide(step, &mut trial);
         // Those of the state that is kept, with the statuses that it has now.
         let residuals = Residuals::of(step, &trial);

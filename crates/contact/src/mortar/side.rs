@@ -111,7 +111,7 @@ impl EdgeSide {
         &self.nodes
     }
 
-    /// Parameter of each node, ascending.
+    /// Parameter of each node, ascending: an arc length `[length]` or an angle `[rad]`, as the side was given.
     pub fn parameter(&self) -> &[f64] {
         &self.parameter
     }

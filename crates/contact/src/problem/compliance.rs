@@ -47,7 +47,7 @@ impl Chosen<'_> {
 }
 
 impl Compliance {
-    /// The matrix, if it is held as one.
+    /// The matrix `[length/force]`, 2n × 2n, if it is held as one.
     pub fn matrix(&self) -> Option<&DMatrix<f64>> {
         self.blocks.is_none().then_some(&self.matrix)
     }
@@ -57,7 +57,7 @@ impl Compliance {
         self.blocks.as_ref()
     }
 
-    /// The matrix, made of the blocks where it is held in blocks.
+    /// The matrix `[length/force]`, 2n × 2n, made of the blocks where it is held in blocks.
     pub fn to_matrix(&self) -> Cow<'_, DMatrix<f64>> {
         match &self.blocks {
             None => Cow::Borrowed(&self.matrix),
@@ -65,14 +65,14 @@ impl Compliance {
         }
     }
 
-    /// Numbers that are held.
+    /// How many numbers are held `[1]`.
     pub fn entries(&self) -> usize {
         self.blocks
             .as_ref()
             .map_or(self.matrix.len(), BlockCompliance::entries)
     }
 
-    /// The compliance of each component under its own force.
+    /// The compliance of each component under its own force `[length/force]`, 2n.
     pub fn diagonal(&self) -> DVector<f64> {
         match &self.blocks {
             None => self.matrix.diagonal(),

@@ -10,6 +10,8 @@ const NEGLIGIBLE: f64 = 1e-12;
 /// Rigid motions that the touching points do not resist.
 #[derive(Clone, Debug)]
 pub struct FreeMotions {
+    /// Orthonormal columns that span them, m × f.
+    pub basis: DMatrix<f64>,
     /// Orthogonal projector on them, m × m.
     pub projector: DMatrix<f64>,
 }
@@ -38,6 +40,7 @@ impl FreeMotions {
         let basis = eigen.eigenvectors.select_columns(&free);
         Some(Self {
             projector: &basis * basis.transpose(),
+            basis,
         })
     }
 }

@@ -13,13 +13,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::FreeMotions;
+use super::least_distance::{least_distance, nearest};
 use super::step::Step;
 use stickslip_friction::{History, PointStatus};
 
 /// Relative size of a remainder that counts.
 const NEGLIGIBLE: f64 = 1e-9;
-/// Square of the largest penetration over the way out of it, up to which that way is rounding of there being none.
-const WAY_OUT: f64 = 1e-8;
 /// Clearances to the place along a load from which that of its least potential is sought.
 const FAR: f64 = 1e4;
 /// Largest way to where a load comes to rest, in clearances.
@@ -60,33 +59,21 @@ pub(crate) fn settled(step: &Step<'_>, push: &DVector<f64>) -> Option<DVector<f6
     (way <= MOST_CLEARANCES * clearance).then_some(rest)
 }
 
-/// The rigid motions nearest to `place` at which nothing penetrates, without contact forces (least distance programming: Lawson &
-/// Hanson 1974, chapter 23).
+/// The rigid motions nearest to `place` at which nothing penetrates, without contact forces; `None` if nothing does at `place`.
 fn nearest_clear(step: &Step<'_>, place: &DVector<f64>) -> Option<DVector<f64>> {
     if place.is_empty() {
         return None;
     }
     let motion = step.motion(&DVector::zeros(2 * step.count()), place);
-    let largest = (0..step.count()).fold(0.0, |most: f64, k| most.max(-motion[2 * k]));
-    if largest <= 0.0 {
+    if (0..step.count()).all(|k| motion[2 * k] >= 0.0) {
         return None;
     }
     let units = units(step);
-    let motions = place.len();
-    // Minimal |x| with G x ≥ h, from the remainder of [Gᵀ; hᵀ] z = (0, …, 0, 1).
-    let edges = DMatrix::from_fn(motions + 1, step.count(), |row, k| {
-        if row < motions {
-            step.problem.modes()[(2 * k, row)] * units[row]
-        } else {
-            -motion[2 * k] / largest
-        }
+    let edges = DMatrix::from_fn(place.len(), step.count(), |row, k| {
+        step.problem.modes()[(2 * k, row)] * units[row]
     });
-    let mut wanted = DVector::zeros(motions + 1);
-    wanted[motions] = -1.0;
-    let remainder = nearest(&edges, &wanted);
-    let last = -remainder[motions];
-    (last > WAY_OUT)
-        .then(|| place + remainder.rows(0, motions).component_mul(&units) * (largest / last))
+    let ways_out: Vec<f64> = (0..step.count()).map(|k| -motion[2 * k]).collect();
+    Some(place + least_distance(&edges, &ways_out)?.component_mul(&units))
 }
 
 /// Translations and rotations have different units: the amount of each rigid motion that moves a point by 1 at most.
@@ -178,67 +165,6 @@ fn largest_coefficient(step: &Step<'_>, point: usize) -> f64 {
         })
     });
     coefficients.fold(0.0, f64::max)
-}
-
-/// Remainder r + A z of the z ≥ 0 that makes it smallest (Lawson & Hanson 1974, NNLS).
-fn nearest(edges: &DMatrix<f64>, load: &DVector<f64>) -> DVector<f64> {
-    let scale = load.norm();
-    let mut active: Vec<usize> = Vec::new();
-    let mut weights: Vec<f64> = Vec::new();
-    let mut remainder = load.clone();
-    for _ in 0..100 * (1 + edges.nrows()) {
-        let slopes = edges.tr_mul(&remainder);
-        let entering = (0..edges.ncols()).min_by(|&a, &b| slopes[a].total_cmp(&slopes[b]));
-        let Some(entering) =
-            entering.filter(|&k| slopes[k] < -1e-12 * scale * edges.column(k).norm())
-        else {
-            break;
-        };
-        if active.contains(&entering) {
-            break;
-        }
-        active.push(entering);
-        weights.push(0.0);
-        while let Some(target) = least_squares(edges, &active, load) {
-            // As far towards the unconstrained optimum as all weights allow; the first to vanish leaves.
-            let blocked = (0..active.len())
-                .filter(|&k| target[k] <= 0.0)
-                .map(|k| {
-                    (
-                        weights[k] / (weights[k] - target[k]).max(f64::MIN_POSITIVE),
-                        k,
-                    )
-                })
-                .min_by(|a, b| a.0.total_cmp(&b.0));
-            let Some((part, leaving)) = blocked else {
-                weights = target.as_slice().to_vec();
-                break;
-            };
-            for (weight, goal) in weights.iter_mut().zip(target.iter()) {
-                *weight += part * (goal - *weight);
-            }
-            active.remove(leaving);
-            weights.remove(leaving);
-        }
-        remainder.copy_from(load);
-        for (&k, &weight) in active.iter().zip(&weights) {
-            remainder.axpy(weight, &edges.column(k), 1.0);
-        }
-    }
-    remainder
-}
-
-/// Weights of the active columns that bring A z closest to −r.
-fn least_squares(
-    edges: &DMatrix<f64>,
-    active: &[usize],
-    load: &DVector<f64>,
-) -> Option<DVector<f64>> {
-    if active.is_empty() {
-        return None;
-    }
-    let columns = edges.select_columns(active);
-    columns.svd(true, true).solve(&-load, 1e-12).ok()
 }
 
 #[cfg(test)]

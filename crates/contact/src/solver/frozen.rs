@@ -30,7 +30,7 @@ const NEGLIGIBLE: f64 = 1e-12;
 pub struct SlipLine {
     /// f₀ `[force]`.
     pub constant: f64,
-    /// f₁.
+    /// f₁ `[1]`.
     pub normal: f64,
     /// f₂ `[force/length]`.
     pub slip: f64,
@@ -41,7 +41,7 @@ pub struct SlipLine {
 pub struct Frozen {
     /// Contact forces `[force]`, 2n.
     pub forces: DVector<f64>,
-    /// Rigid motions, m.
+    /// Rigid motions, m, in the units of [`InterfaceProblem::modes`](crate::InterfaceProblem::modes).
     pub rigid: DVector<f64>,
     /// Gap and slip increment `[length]`, 2n.
     pub motion: DVector<f64>,

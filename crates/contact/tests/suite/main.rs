@@ -10,6 +10,7 @@ mod growth;
 mod histories;
 mod invariants;
 mod laws;
+mod loose;
 mod oracle;
 mod otherwise;
 mod pairs;

@@ -118,14 +118,14 @@ impl BlockCompliance {
         moved
     }
 
-    /// The column `column` of C.
+    /// The column `column` of C `[length/force]`, 2n.
     pub fn column(&self, column: usize) -> DVector<f64> {
         let mut unit = DVector::zeros(self.order());
         unit[column] = 1.0;
         self.times(&unit)
     }
 
-    /// C as one matrix.
+    /// C as one matrix `[length/force]`, 2n × 2n.
     pub fn matrix(&self) -> DMatrix<f64> {
         let all: Vec<usize> = (0..self.order()).collect();
         self.part(&all, &all)

@@ -24,12 +24,12 @@ use crate::mesh::{ElementKind, Point};
 pub struct BlockStresses {
     /// Global indices of the block's nodes, ascending.
     pub nodes: Vec<usize>,
-    /// Stress at each of these nodes `[stress]`.
+    /// Stress (σ_xx, σ_yy, τ_xy) at each of these nodes `[stress]`.
     pub values: Vec<[f64; 3]>,
 }
 
 impl BlockStresses {
-    /// Stress at the global node `node`, `None` if the block does not touch it.
+    /// Stress (σ_xx, σ_yy, τ_xy) `[stress]` at the global node `node`, `None` if the block does not touch it.
     pub fn at(&self, node: usize) -> Option<[f64; 3]> {
         self.nodes.binary_search(&node).ok().map(|k| self.values[k])
     }

@@ -175,7 +175,7 @@ pub trait Outline: fmt::Debug {
         Some(asked)
     }
 
-    /// Radius of the closed circle called `name`.
+    /// Radius `[mm]` of the closed circle called `name`.
     fn circle(&self, name: &str) -> Option<f64> {
         self.edge(name)?.circle()
     }
@@ -274,7 +274,7 @@ impl Edge {
         Self { size, ..self }
     }
 
-    /// Radius of a closed circle.
+    /// Radius `[mm]` of a closed circle; `None` of any other curve.
     pub fn circle(&self) -> Option<f64> {
         match self.curve {
             Curve::Circle { radius, .. } => Some(radius),

@@ -48,6 +48,8 @@ pub struct Sweep {
     pub contact: usize,
     /// Name of the body with the hole, the first of that contact.
     pub plate: String,
+    /// Its index among the bodies of every case.
+    pub plate_index: Option<usize>,
     /// Name of the body in the hole.
     pub pin: String,
     /// Unit of the loads of all cases: that of what the steps of the joint are counted by.

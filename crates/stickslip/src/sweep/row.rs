@@ -151,11 +151,8 @@ impl Measures {
             .zip(geometry)
             .and_then(|(edge, geometry)| edge.bearing_stress(geometry));
         let share = results.load_share(sweep.contact, step);
-        let named = |failure: &&BodyFailure| {
-            let body = results.bodies.get(failure.body);
-            body.is_some_and(|body| body.name == sweep.plate)
-        };
-        let failure = results.failure.iter().find(named);
+        let of_plate = |failure: &&BodyFailure| Some(failure.body) == sweep.plate_index;
+        let failure = results.failure.iter().find(of_plate);
         let reached = scale.at_failure(step, 1.0, true);
         Self {
             load: value(reached.as_ref()),

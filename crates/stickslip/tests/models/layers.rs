@@ -1,5 +1,6 @@
 //! Plates in several layers, joined by fasteners whose slices springs couple.
 
+mod loose;
 mod lumped;
 mod rows;
 

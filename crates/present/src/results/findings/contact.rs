@@ -235,9 +235,9 @@ fn ripples(
 
 fn gaps(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
     format!(
-        "In an increment of load step {} contact '{name}' touches at too few points, or at none, to hold {} against a rigid \
-         motion that changes no force: COPEN, displacements and what closes next are one of many answers of equal right, and so is what \
-         follows from them.",
+        "In an increment of load step {} contact '{name}' presses at too few points, or at none, to hold {}: a rigid motion changes no force. \
+         Of the places they may take the one is shown at which the surfaces have moved least against each other; COPEN, displacements and what \
+         closes next follow from that choice.",
         numbers(steps),
         quoted(bodies)
     )
@@ -246,8 +246,8 @@ fn gaps(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
 fn slip(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
     format!(
         "In an increment of load step {} no point of contact '{name}' sticks that would hold {} against a rigid motion along it, and \
-         slip in a range has the same friction: CSLIP1 on '{name}' and displacements are one of many answers of equal right, and so is what follows \
-         from them.",
+         slip in a range has the same friction. The least slip is shown; CSLIP1 on '{name}', displacements and what comes next follow from that \
+         choice.",
         numbers(steps),
         quoted(bodies)
     )

@@ -48,6 +48,10 @@ pub(super) fn sweep(
         description: read.description,
         map: map(&document, &read.map, &axes)?,
         hash: hash(&scene.hash, &axes, contact, criterion.as_deref()),
+        plate_index: scene
+            .bodies
+            .keys()
+            .position(|name| *name == pair.first.body),
         plate: pair.first.body.clone(),
         pin: pair.second.body.clone(),
         source_name,

@@ -21,7 +21,12 @@ const THICKNESS: [f64; 3] = [2.5, 4.0, 2.5];
 const ENDS: [f64; 2] = [48.0, 18.0];
 
 /// A plate of `thickness` from `from` to `to` along x with holes at `holes`.
-fn long_plate(name: &str, thickness: f64, [from, to]: [f64; 2], holes: &[f64]) -> String {
+pub(super) fn long_plate(
+    name: &str,
+    thickness: f64,
+    [from, to]: [f64; 2],
+    holes: &[f64],
+) -> String {
     let mut text = format!(
         r#"
 [bodies.{name}]
@@ -58,7 +63,7 @@ fn head_of_rows() -> String {
 }
 
 /// Sides that slide across the load, so that plates narrow freely.
-fn slides(plate: &str) -> String {
+pub(super) fn slides(plate: &str) -> String {
     format!("[[supports]]\non = \"{plate}.right\"\nfix = [\"x\"]\n")
 }
 

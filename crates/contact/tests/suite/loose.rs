@@ -1,0 +1,224 @@
+//! Where bodies come to lie that contact leaves undetermined.
+
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+use stickslip_contact::solver::Step;
+use stickslip_contact::state::TrialState;
+use stickslip_contact::{
+    ContactPair, ContactPoint, ContactState, Increment, InterfaceProblem, Status,
+};
+use stickslip_fem_core::{GivenBody, RigidBody};
+
+use crate::coulomb;
+
+/// Points around each hole.
+const AROUND: usize = 12;
+const CLEARANCE: f64 = 0.1;
+
+/// A rigid disk of radius 1 in two holes with a clearance, the first of them held, the second moved along x by load case 0 and along y by load case 1.
+/// The points of a hole count by `areas`.
+fn between(areas: [f64; 2]) -> InterfaceProblem {
+    let normals: Vec<[f64; 2]> = (0..AROUND)
+        .map(|k| k as f64 * std::f64::consts::TAU / AROUND as f64)
+        .map(|angle| [angle.cos(), angle.sin()])
+        .collect();
+    let size = 2 * AROUND;
+    let turning = DMatrix::from_fn(size, 3, |row, motion| {
+        let [x, y] = normals[row / 2];
+        [[1.0, 0.0, -y], [0.0, 1.0, x]][row % 2][motion]
+    });
+    let still = || vec![DVector::zeros(size); 2];
+    let disk = GivenBody::floating(
+        DMatrix::zeros(size, size),
+        turning,
+        still(),
+        vec![DVector::zeros(3); 2],
+    );
+    let held = RigidBody::held(normals.clone(), 2);
+    let moved = [0, 1].map(|along| DVector::from_fn(size, |row, _| f64::from(row % 2 == along)));
+    let moved = GivenBody::held(DMatrix::zeros(size, size), moved.into());
+    let pair = |second: usize, area: f64| ContactPair {
+        name: "hole".into(),
+        origin: [0.0; 2],
+        first: second,
+        second: 0,
+        points: (normals.iter().enumerate())
+            .map(|(k, &normal)| ContactPoint {
+                first: k.into(),
+                second: k.into(),
+                normal: normal.map(|part| -part),
+                gap: CLEARANCE,
+                area,
+                material_angle: 0.0,
+            })
+            .collect(),
+        law: coulomb(0.2),
+    };
+    let pairs = vec![pair(1, areas[0]), pair(2, areas[1])];
+    InterfaceProblem::new(&[&disk.unwrap(), &held, &moved.unwrap()], pairs).unwrap()
+}
+
+/// Without forces, the disk at `place`: x, y and its turn.
+fn at(step: &Step<'_>, place: [f64; 3]) -> TrialState {
+    let forces = DVector::zeros(2 * step.count());
+    let ones = DVector::from_element(3, 1.0);
+    let units = step
+        .problem
+        .motions_of_body(0, &ones, &forces, step.multipliers());
+    let rigid = DVector::from_fn(3, |motion, _| place[motion] / units[motion]);
+    TrialState {
+        motion: step.total_motion(step.motion(&forces, &rigid)),
+        forces,
+        rigid,
+        status: vec![Status::Open; step.count()],
+    }
+}
+
+fn gaps(state: &TrialState) -> impl Iterator<Item = f64> + '_ {
+    state.motion.iter().step_by(2).copied()
+}
+
+/// Where the disk lies at the end of `step`, having been left at `place`.
+fn taken(step: &Step<'_>, place: [f64; 3]) -> Vec<f64> {
+    let state = Increment::accept(step, at(step, place)).state;
+    let problem = step.problem;
+    problem.motions_of_body(0, &state.rigid, &state.forces, step.multipliers())
+}
+
+/// Halfway where both holes count alike, and where the edge of one ends its way.
+#[test]
+fn a_loose_disk_lies_between_its_holes() {
+    for (areas, way, wanted) in [
+        ([1.0, 1.0], 0.12, 0.06),
+        ([1.0, 3.0], 0.12, 0.09),
+        ([1.0, 3.0], 0.16, CLEARANCE),
+        ([3.0, 1.0], 0.16, 0.16 - CLEARANCE),
+    ] {
+        let problem = between(areas);
+        let committed = ContactState::unloaded(&problem);
+        let step = Step::new(&problem, &committed, &[way, 0.0]);
+        for place in [[0.08, 0.0, 0.0], [0.07, 0.01, 0.3], [0.08, -0.02, -0.1]] {
+            let found = taken(&step, place);
+            let off = [found[0] - wanted, found[1], found[2]];
+            let off = off
+                .into_iter()
+                .fold(0.0, |most: f64, part| most.max(part.abs()));
+            assert!(off < 1e-9, "{areas:?} {way}: {found:?}");
+        }
+    }
+}
+
+/// Two disks in one another that nothing holds: no point sees their common motion, which stays as it was.
+#[test]
+fn what_no_point_sees_does_not_move() {
+    let normals: Vec<[f64; 2]> = [0.3, 1.7, 3.1, 4.9]
+        .map(|angle: f64| [angle.cos(), angle.sin()])
+        .into();
+    let free = || RigidBody::sliding(normals.clone(), [true, true], &[[0.0; 2]]);
+    let points = (normals.iter().enumerate())
+        .map(|(k, &normal)| ContactPoint {
+            first: k.into(),
+            second: k.into(),
+            normal,
+            gap: CLEARANCE,
+            area: 1.0,
+            material_angle: 0.0,
+        })
+        .collect();
+    let pair = ContactPair {
+        name: "pair".into(),
+        origin: [0.0; 2],
+        first: 0,
+        second: 1,
+        points,
+        law: coulomb(0.2),
+    };
+    let problem = InterfaceProblem::new(&[&free(), &free()], vec![pair]).unwrap();
+    let committed = ContactState::unloaded(&problem);
+    let step = Step::new(&problem, &committed, &[0.0]);
+    for (pressed, apart) in [(false, 0.0), (true, 0.05)] {
+        let rigid = DVector::from_row_slice(&[0.3, 0.4, 0.3, 0.4 - apart]);
+        let forces = DVector::zeros(8);
+        let mut trial = TrialState {
+            motion: step.total_motion(step.motion(&forces, &rigid)),
+            forces,
+            rigid: rigid.clone(),
+            status: vec![Status::Open; 4],
+        };
+        if pressed {
+            // Along x and along y, so that only the common motion is free.
+            for k in [0, 1] {
+                trial.forces[2 * k] = 1.0;
+                trial.status[k] = Status::Stick;
+            }
+        }
+        let state = Increment::accept(&step, trial).state;
+        assert!((&state.rigid - rigid).amax() < 1e-12, "{}", state.rigid);
+    }
+}
+
+/// A disk that all its pressed points let slip turns back until the motions of all 24 points sum to zero, or the slip of one would turn round.
+#[test]
+fn slip_that_nothing_determines_is_the_least() {
+    let problem = between([1.0, 1.0]);
+    let committed = ContactState::unloaded(&problem);
+    let step = Step::new(&problem, &committed, &[0.0, 0.0]);
+    let points = [0, 4, 8];
+    for (slips, wanted) in [
+        ([3.0, 4.0, -1.0], [2.75, 3.75, -1.25]),
+        ([3.0, 4.0, 5.0], [2.5, 3.5, 4.5]),
+        ([0.1, 4.0, 5.0], [0.0, 3.9, 4.9]),
+        ([-9.0, -0.1, 1.0], [-8.9, 0.0, 1.1]),
+    ] {
+        let mut trial = at(&step, [0.0; 3]);
+        for (k, slip) in points.into_iter().zip(slips) {
+            trial.status[k] = Status::slip_along(slip);
+            trial.forces[2 * k] = 1.0;
+            trial.forces[2 * k + 1] = -0.2 * slip.signum();
+            trial.motion[2 * k + 1] = slip;
+        }
+        let forces = trial.forces.clone();
+        let end = Increment::accept(&step, trial);
+        for (k, wanted) in points.into_iter().zip(wanted) {
+            assert!(
+                (end.slip[k] - wanted).abs() < 1e-9,
+                "{slips:?}: {}",
+                end.slip
+            );
+        }
+        assert_eq!(end.state.forces, forces);
+    }
+}
+
+proptest! {
+    /// No place without penetration has moved less, and where a solver leaves the disk does not matter.
+    #[test]
+    fn the_least_motion_is_taken(
+        areas in [0.1..1.0, 0.1..1.0],
+        way in [-0.14..0.14, -0.1..0.1],
+        others in prop::collection::vec([-0.1..0.1, -0.1..0.1, -0.2..0.2], 40),
+    ) {
+        let problem = between(areas);
+        let committed = ContactState::unloaded(&problem);
+        let step = Step::new(&problem, &committed, &way);
+        let moved = |state: &TrialState| -> f64 {
+            let since = &state.motion - &committed.motion;
+            let of = |row: usize| problem.points()[row / 2].area * since[row].powi(2);
+            (0..since.len()).map(of).sum()
+        };
+        let middle = [0.5 * way[0], 0.5 * way[1], 0.0];
+        let clear = |place: &[f64; 3]| gaps(&at(&step, *place)).all(|gap| gap >= 0.0);
+        prop_assume!(clear(&middle));
+        let found = taken(&step, middle);
+        let found: [f64; 3] = found.try_into().unwrap();
+        let least = at(&step, found);
+        prop_assert!(gaps(&least).all(|gap| gap >= -1e-13));
+        for place in others.into_iter().map(|by| [middle[0] + by[0], middle[1] + by[1], by[2]]).filter(clear) {
+            prop_assert!(moved(&least) <= moved(&at(&step, place)) * (1.0 + 1e-9));
+            let again = taken(&step, place);
+            for (a, b) in found.iter().zip(again) {
+                prop_assert!((a - b).abs() < 1e-8, "{found:?} from {place:?}");
+            }
+        }
+    }
+}
