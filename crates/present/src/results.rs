@@ -37,7 +37,7 @@ mod stresses;
 mod summary;
 mod tables;
 pub use figures::sketch::{SketchBody, sketch};
-pub use findings::{findings_json, joint_sentence, quoted, sentence};
+pub use findings::{findings_json, joint_sentence, quoted, sentence, sentences};
 pub use tables::signs;
 mod vtk_files;
 mod zones;

@@ -58,9 +58,12 @@ pub(super) fn take(step: &Step<'_>, trial: &mut TrialState) {
 fn slips(step: &Step<'_>, trial: &TrialState) -> Vec<Slip> {
     let pressed = pressed(&trial.forces, &trial.status);
     (0..step.count())
-        .map(|k| match pressed(k) {
-            true => Slip::pressed(step, trial, k),
-            false => Slip::Loose,
+        .map(|k| {
+            if pressed(k) {
+                Slip::pressed(step, trial, k)
+            } else {
+                Slip::Loose
+            }
         })
         .collect()
 }

@@ -9,7 +9,8 @@ use crate::results::{Fastener, FastenerStep, Finding, Layer, LayerStep, StepResu
 
 /// Part of the largest force of all fasteners in the history up to which forces are rounding.
 const ROUNDING: f64 = 1e-12;
-/// Part of the sum of forces times heights on a fastener up to which their moment is rounding.
+/// Part of the sum of forces times heights on a fastener, or of the largest force at the greatest height, up to which their moment is rounding:
+/// solvers stop at 1e-10 of the largest force.
 const BALANCED: f64 = 1e-9;
 
 /// The fasteners of `model`.
@@ -61,7 +62,7 @@ fn clear_rounding(step: &mut FastenerStep, largest: f64, heights: &[f64]) {
     let sizes = step.layers.iter().zip(heights);
     let sizes = sizes.map(|(layer, height)| size(layer.force) * height);
     let highest = heights.last().copied().unwrap_or_default();
-    let rounding = (BALANCED * sizes.sum::<f64>()).max(ROUNDING * largest * highest);
+    let rounding = BALANCED * sizes.sum::<f64>().max(largest * highest);
     if size(step.tilting) <= rounding {
         step.tilting = [0.0; 2];
     }

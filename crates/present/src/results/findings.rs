@@ -4,11 +4,13 @@ mod contact;
 mod free;
 mod joint;
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use stickslip_engine::results::{
-    CoarseLoadPath, CutBackEffect, FailedSolver, Finding, FurtherSolvers, LadderEnd, Quantity,
-    Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
+    CoarseLoadPath, ContactFinding, CutBackEffect, FailedSolver, Finding, FurtherSolvers,
+    LadderEnd, Quantity, Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_scene::shape::FileNote;
@@ -117,17 +119,37 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
     }
 }
 
-/// The sentences of all findings of `results`.
-pub(super) fn sentences(results: &Results) -> Vec<String> {
-    let findings = results.findings.iter();
-    findings
-        .map(|finding| sentence(finding, results.units))
-        .collect()
+/// The sentences of all findings of `results`; contacts that leave their bodies loose in the same load steps share one.
+pub fn sentences(results: &Results) -> Vec<String> {
+    let mut loose: BTreeMap<&[usize], Vec<&str>> = BTreeMap::new();
+    for finding in &results.findings {
+        if let Some((contact, steps)) = as_loose(finding) {
+            loose.entry(steps).or_default().push(contact);
+        }
+    }
+    let sentence = |finding| match as_loose(finding) {
+        Some((_, steps)) => Some(contact::gaps(&loose.remove(steps)?, steps)),
+        None => Some(sentence(finding, results.units)),
+    };
+    results.findings.iter().filter_map(sentence).collect()
+}
+
+/// The contact and the load steps of a finding that bodies are loose.
+fn as_loose(finding: &Finding) -> Option<(&str, &[usize])> {
+    match finding {
+        Finding::Contact {
+            contact,
+            finding: ContactFinding::GapsUndetermined { steps, .. },
+        } => Some((contact, steps)),
+        _ => None,
+    }
 }
 
 fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
     let why = match end {
-        LadderEnd::Budget => "the time is spent: raise analysis.budget, beside analysis.accuracy",
+        LadderEnd::Budget => {
+            "a finer model does not fit in the budget: raise analysis.budget, beside analysis.accuracy"
+        }
         LadderEnd::Pinned => {
             "the scene pins its model: leave out its mesh or contact_nodes, or divide it more finely"
         }

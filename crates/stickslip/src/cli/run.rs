@@ -17,7 +17,7 @@ use crate::folder::FolderError;
 use crate::keep;
 use stickslip_engine::run::Progress;
 use stickslip_ladder::run as solve;
-use stickslip_present::results::{self as output, sentence};
+use stickslip_present::results::{self as output, sentences};
 use stickslip_scene::Scene;
 
 /// Histories with fewer steps are over before a bar helps.
@@ -84,8 +84,8 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     let path = keep::results(&results, folder, scene.output.figures).map_err(KeepError::from)?;
     let table = output::summary_table(&results, Console::width())
         .map_err(|error| KeepError::Output(error.into()))?;
-    let warnings: String = (results.findings.iter())
-        .map(|finding| ["warning: ", &sentence(finding, results.units), "\n\n"].concat())
+    let warnings: String = (sentences(&results).iter())
+        .map(|sentence| ["warning: ", sentence, "\n\n"].concat())
         .collect();
     let unstated = match results.ladder {
         Some(_) => "",

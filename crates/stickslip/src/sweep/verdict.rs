@@ -35,6 +35,7 @@ pub fn verdict(sweep: &Sweep, rows: &[Row]) -> String {
         });
     } else {
         sentences.push(modes(sweep, &failed));
+        sentences.extend(called_by(sweep));
         sentences.extend(extremes(sweep, &failed));
     }
     if unresolved > 0 {
@@ -141,6 +142,22 @@ fn modes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> String {
         text = format!("All {} joints fail by {mode}.", failed.len());
     }
     text
+}
+
+/// Which criterion calls the modes, and what it leaves out.
+fn called_by(sweep: &Sweep) -> Option<String> {
+    let wanted = sweep.criterion.as_deref()?;
+    let mut criteria = sweep.scene.failure.iter().flat_map(|own| &own.criteria);
+    let criterion = criteria.find(|own| own.name() == wanted)?;
+    let title = criterion.title();
+    Some(if criterion.is_ultimate() {
+        format!("The mode is called by {title} along the characteristic curve.")
+    } else {
+        format!(
+            "The mode is called by {title} along the characteristic curve, at the first failure of a ply there, which may be a crack between fibres: these are no ultimate \
+             loads (joint.criterion = \"yamada_sun\" calls those, where the scene asks for it)."
+        )
+    })
 }
 
 /// Between which values of an axis the cases lie, if they do not lie at all of them.

@@ -254,6 +254,16 @@ fn each_mode_governs_where_it_should() {
     assert_eq!(modes, expected);
     let load = |row: usize| rows[row].joint().unwrap().load.unwrap();
     assert!(load(0) < 0.9 * load(3) && load(2) < 0.7 * load(3));
+    assert!(verdict(&sweep, &rows).contains("is called by Yamada–Sun"));
+    // First failures of plies are not passed off as the end of a joint.
+    let changes = ["mesh.spacing=6 deg", "failure.criteria=[\"hashin\"]"];
+    let first = Sweep::from_file(&scenes().join("mode-map.toml"), &changes, HOST).unwrap();
+    let rows_of_first = solved(&first, &[29]);
+    let said = verdict(&first, &rows_of_first);
+    assert!(
+        said.contains("is called by Hashin") && said.contains("no ultimate loads"),
+        "{said}"
+    );
     assert!(rows.iter().all(|row| row.joint().unwrap().reached));
 }
 

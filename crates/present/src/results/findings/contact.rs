@@ -99,7 +99,7 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             nodes,
             stiffness_ratio,
         } => ripples(name, bodies, *nodes, *stiffness_ratio),
-        ContactFinding::GapsUndetermined { bodies, steps } => gaps(name, bodies, steps),
+        ContactFinding::GapsUndetermined { steps, .. } => gaps(&[name], steps),
         ContactFinding::SlipUndetermined { bodies, steps } => slip(name, bodies, steps),
     }
 }
@@ -151,11 +151,14 @@ fn other_radius(
     [given, fitted, off]: [Quantity; 3],
     units: DisplayUnits,
 ) -> String {
+    let off = match off {
+        Quantity::Length(off) if off > 0.0 => format!("within {} of", units.length.show(off)),
+        _ => "on".to_owned(),
+    };
     format!(
-        "Contact '{name}': the radius {} that is given for '{edge}' is not that of its nodes, which lie within {} of a circle of radius {}. The mesh was moved onto the \
+        "Contact '{name}': the radius {} that is given for '{edge}' is not that of its nodes, which lie {off} a circle of radius {}. The mesh was moved onto the \
          given one. Correct `radii`, or make the mesh again with it.",
         shown(given, units),
-        shown(off, units),
         shown(fitted, units)
     )
 }
@@ -233,13 +236,17 @@ fn ripples(
     )
 }
 
-fn gaps(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
+/// `contacts` leave their bodies loose in `steps`.
+pub(super) fn gaps(contacts: &[&str], steps: &[usize]) -> String {
+    let (who, press, whose) = match contacts {
+        [one] => (format!("contact '{one}'"), "presses", "its"),
+        _ => (format!("contacts {}", quoted(contacts)), "press", "their"),
+    };
     format!(
-        "In an increment of load step {} contact '{name}' presses at too few points, or at none, to hold {}: a rigid motion changes no force. \
+        "In an increment of load step {} {who} {press} at too few points, or at none, to hold {whose} bodies: a rigid motion changes no force. \
          Of the places they may take the one is shown at which the surfaces have moved least against each other; COPEN, displacements and what \
          closes next follow from that choice.",
-        numbers(steps),
-        quoted(bodies)
+        numbers(steps)
     )
 }
 
