@@ -13,6 +13,7 @@
 //! let scene = r#"
 //! version = 1
 //! materials.epoxy.isotropic = { young = "3 GPa", poisson = 0.36 }
+//! mesh.spacing = "6 deg"
 //! loads = [{ on = "plate.left", force = { direction = [-1, 0], steps = ["300 N"] } }]
 //! supports = [{ on = "plate.right", fix = ["x", "y"] }]
 //! [bodies.plate]

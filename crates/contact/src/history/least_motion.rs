@@ -1,15 +1,15 @@
 //! Where a body hangs loose, it moves least.
 //!
-//! Rigid motions that move no pressed point along its normal, and no sticking one along its tangent, change no force, so a solver may leave
-//! bodies anywhere along them. Of all such places the one is taken at which the surfaces have moved least against each other since the
-//! increment began, without penetration and without slip turned back:
+//! Rigid motions that move no pressed point, but along surfaces without friction, change no force, so a solver may leave bodies anywhere
+//! along them. Of all such places the one is taken at which the surfaces have moved least against each other since the increment began,
+//! without penetration:
 //!
 //! ```text
-//! min Σ a |Δ(g, s)|²,     g ≥ 0 where nothing presses,     σ Δs ≥ 0 where friction slips
+//! min Σ a |Δ(g, s)|²,     g ≥ 0 where nothing presses
 //! ```
 //!
 //! It is unique but for motions that no point sees, so it keeps the symmetries of a scene, and it does not depend on the solver, nor on
-//! which body is held.
+//! which body is held. Slip that friction leaves in a range stays as the solver found it.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -19,8 +19,9 @@ use crate::solver::Step;
 use crate::solver::least_distance::least_distance;
 use crate::state::{Status, TrialState};
 
-/// Part of all that rigid motions move, below which a motion moves no point.
-const UNSEEN: f64 = 1e-8;
+/// Part of what points see of the single rigid motions below which a motion is one of bodies that go together: where gaps are open, points of both
+/// sides stand apart, and see a clearance of a common turn.
+const UNSEEN: f64 = 0.1;
 /// Part of the largest motion that is rounding.
 const ROUNDING: f64 = 1e-12;
 /// Most ways to the nearest place without penetration, each from where the one before ended.
@@ -28,93 +29,53 @@ const WAYS: usize = 4;
 
 /// Moves the bodies that hang loose in `trial`, the end of `step`, to where they have moved least.
 pub(super) fn take(step: &Step<'_>, trial: &mut TrialState) {
-    if step.problem.modes().ncols() == 0 {
+    if step.count() == 0 || step.problem.modes().ncols() == 0 {
         return;
     }
-    let slips = slips(step, trial);
-    let rows = (slips.iter().enumerate()).flat_map(|(k, slip)| {
-        let normal = (*slip != Slip::Loose).then_some(2 * k);
-        normal
-            .into_iter()
-            .chain((*slip == Slip::Held).then_some(2 * k + 1))
-    });
-    let Some(free) = FreeMotions::of(step.problem, rows) else {
-        return;
+    let (held, loose): (Vec<usize>, Vec<usize>) = {
+        let pressed = pressed(&trial.forces, &trial.status);
+        (0..step.count()).partition(|&k| pressed(k))
     };
-    let Some((amounts, change)) = least(step, trial, &free, &slips) else {
+    let rubs = |k: usize| {
+        let bound = step.bound(k, trial.forces[2 * k], 0.0);
+        bound.stick > 0.0 || bound.slip > 0.0
+    };
+    let rows = (held.iter()).flat_map(|&k| (2 * k..).take(1 + usize::from(rubs(k))));
+    let free = FreeMotions::of(step.problem, rows);
+    let Some((amounts, change)) = free.and_then(|free| least(step, trial, &free, &loose)) else {
         return;
     };
     trial.rigid += amounts;
     trial.motion += change;
     let tolerance = ROUNDING * trial.motion.amax();
-    for (k, slip) in slips.iter().enumerate() {
-        if *slip == Slip::Loose && trial.motion[2 * k] > tolerance {
+    for k in loose {
+        if trial.motion[2 * k] > tolerance {
             trial.status[k] = Status::Open;
         }
     }
 }
 
-/// What each point allows.
-fn slips(step: &Step<'_>, trial: &TrialState) -> Vec<Slip> {
-    let pressed = pressed(&trial.forces, &trial.status);
-    (0..step.count())
-        .map(|k| {
-            if pressed(k) {
-                Slip::pressed(step, trial, k)
-            } else {
-                Slip::Loose
-            }
-        })
-        .collect()
-}
-
-/// What a rigid motion may do to a point without changing a force.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Slip {
-    /// Nothing presses the point: it may open.
-    Loose,
-    /// It may slide along, but not back against this sign; zero without friction.
-    Along(f64),
-    /// It may not slide.
-    Held,
-}
-
-impl Slip {
-    /// Of point `k`, which is pressed.
-    fn pressed(step: &Step<'_>, trial: &TrialState, k: usize) -> Self {
-        let slip = trial.motion[2 * k + 1] - step.committed.tangential_displacement(k);
-        let bound = step.bound(k, trial.forces[2 * k], slip);
-        let sign = trial.status[k].slip_sign();
-        if bound.stick == 0.0 && bound.slip == 0.0 {
-            Self::Along(0.0)
-        } else if sign == 0.0 || bound.slip_ds != 0.0 {
-            Self::Held
-        } else {
-            Self::Along(sign)
-        }
-    }
-}
-
-/// Amounts of the rigid motions that lead to the least motion, m, and what they change of (g, Δs), 2n; `None` if no point moves, or if
-/// that place is not found.
+/// Amounts of the rigid motions that lead to the least motion, m, and what they change of (g, Δs), 2n, where the points `loose` may open; `None`
+/// if no point moves, or if that place is not found.
 fn least(
     step: &Step<'_>,
     trial: &TrialState,
     free: &FreeMotions,
-    slips: &[Slip],
+    loose: &[usize],
 ) -> Option<(DVector<f64>, DVector<f64>)> {
     let seen = Seen::of(step, trial, free)?;
-    let bounds = bounds(step, trial, slips);
-    let edges = DMatrix::from_fn(seen.moves.ncols(), bounds.len(), |motion, k| {
-        bounds[k].sign * seen.moves[(bounds[k].row, motion)]
+    let edges = DMatrix::from_fn(seen.moves.ncols(), loose.len(), |motion, k| {
+        seen.moves[(2 * loose[k], motion)]
     });
+    // What penetrates, by rounding, stays as it is.
+    let room: Vec<f64> = loose.iter().map(|k| trial.motion[2 * k].max(0.0)).collect();
     let largest = trial.motion.amax();
     let mut way = seen.unbounded;
     // The first way costs digits, which later ones find again.
     for _ in 0..WAYS {
         let reached = edges.tr_mul(&way);
-        let lacking: Vec<f64> = (bounds.iter().zip(&reached))
-            .map(|(bound, reached)| -bound.room - reached)
+        let lacking: Vec<f64> = (room.iter().zip(&reached))
+            .map(|(room, reached)| -room - reached)
             .collect();
         if lacking.iter().all(|&lack| lack <= f64::EPSILON * largest) {
             break;
@@ -122,8 +83,8 @@ fn least(
         way += least_distance(&edges, &lacking)?;
     }
     let change = seen.moves * &way;
-    let clear = |bound: &Bound| bound.sign * change[bound.row] >= -bound.room - ROUNDING * largest;
-    (bounds.iter().all(clear)).then(|| (seen.amounts * way, change))
+    let clear = |(k, room): (&usize, &f64)| change[2 * k] >= -room - ROUNDING * largest;
+    (loose.iter().zip(&room).all(clear)).then(|| (seen.amounts * way, change))
 }
 
 /// Those of the free motions that points see, in combinations whose Σ a |Δ(g, s)|² is the square of their amounts.
@@ -140,22 +101,21 @@ impl Seen {
     /// `None` if no point sees any.
     fn of(step: &Step<'_>, trial: &TrialState, free: &FreeMotions) -> Option<Self> {
         let (points, modes) = (step.problem.points(), step.problem.modes());
-        let moves = modes * &free.basis;
         let weight = |row: usize| points[row / 2].area.sqrt();
         let weigh = |motions: &DMatrix<f64>| {
             DMatrix::from_fn(motions.nrows(), motions.ncols(), |row, motion| {
                 weight(row) * motions[(row, motion)]
             })
         };
+        let amounts = evened(&free.basis, &weigh(modes))?;
+        let moves = modes * &amounts;
         let since = DVector::from_fn(moves.nrows(), |row, _| {
             weight(row) * (trial.motion[row] - step.committed.motion[row])
         });
-        // Free motions may all be unseen: what points see of them is measured by what they see of any.
-        let least = UNSEEN * weigh(modes).norm();
         let svd = weigh(&moves).svd(true, true);
         let (left, right) = (svd.u?, svd.v_t?);
         let seen: Vec<usize> = (0..svd.singular_values.len())
-            .filter(|&k| svd.singular_values[k] > least)
+            .filter(|&k| svd.singular_values[k] > UNSEEN)
             .collect();
         if seen.is_empty() {
             return None;
@@ -164,34 +124,29 @@ impl Seen {
             right[(seen[k], row)] / svd.singular_values[seen[k]]
         });
         Some(Self {
-            amounts: &free.basis * &combined,
+            amounts: amounts * &combined,
             moves: moves * combined,
             unbounded: -left.select_columns(&seen).tr_mul(&since),
         })
     }
 }
 
-/// How far a component of (g, Δs) may go against a sign; what is beyond that, by rounding, stays as it is.
-struct Bound {
-    row: usize,
-    sign: f64,
-    room: f64,
-}
-
-fn bounds(step: &Step<'_>, trial: &TrialState, slips: &[Slip]) -> Vec<Bound> {
-    let bound = |row: usize, sign: f64, place: f64| Bound {
-        row,
-        sign,
-        room: (sign * place).max(0.0),
+/// Amounts of rigid motions that span the same as `basis`, m × f, orthonormal where each is counted in what points see of it alone, the columns of
+/// `weighed`; `None` if they see none.
+fn evened(basis: &DMatrix<f64>, weighed: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let whole = weighed.norm();
+    let unit = |mode: usize| match weighed.column(mode).norm() {
+        0.0 => whole,
+        own => own,
     };
-    (slips.iter().enumerate())
-        .filter_map(|(k, slip)| match *slip {
-            Slip::Loose => Some(bound(2 * k, 1.0, trial.motion[2 * k])),
-            Slip::Along(sign) if sign != 0.0 => {
-                let slipped = trial.motion[2 * k + 1] - step.committed.tangential_displacement(k);
-                Some(bound(2 * k + 1, sign, slipped))
-            }
-            Slip::Along(_) | Slip::Held => None,
-        })
-        .collect()
+    let units = DVector::from_fn(weighed.ncols(), |mode, _| unit(mode));
+    let mut amounts = basis.clone();
+    for mut motion in amounts.column_iter_mut() {
+        motion.component_mul_assign(&units);
+    }
+    let mut amounts = amounts.qr().q();
+    for mut motion in amounts.column_iter_mut() {
+        motion.component_div_assign(&units);
+    }
+    (whole > 0.0).then_some(amounts)
 }

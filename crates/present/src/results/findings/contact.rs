@@ -253,8 +253,8 @@ pub(super) fn gaps(contacts: &[&str], steps: &[usize]) -> String {
 fn slip(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
     format!(
         "In an increment of load step {} no point of contact '{name}' sticks that would hold {} against a rigid motion along it, and \
-         slip in a range has the same friction. The least slip is shown; CSLIP1 on '{name}', displacements and what comes next follow from that \
-         choice.",
+         slip in a range has the same friction: CSLIP1 on '{name}' and displacements are one of many answers of equal right, and so is what follows \
+         from them.",
         numbers(steps),
         quoted(bodies)
     )
