@@ -1,22 +1,21 @@
 //! Where a body hangs loose, it moves least.
 //!
-//! Rigid motions that move no pressed point, but along surfaces without friction, change no force, so a solver may leave bodies anywhere
-//! along them. Of all such places the one is taken at which the surfaces have moved least against each other since the increment began,
-//! without penetration:
+//! Rigid motions that move no pressed point change no force, so a solver may leave bodies anywhere along them. Of all such places the
+//! one is taken at which the surfaces have moved least against each other since the increment began, without penetration:
 //!
 //! ```text
-//! min Σ a |Δ(g, s)|²,     g ≥ 0 where nothing presses
+//! min Σ a |Δ(g, s)|² / Σ a,     g ≥ 0 where nothing presses
 //! ```
 //!
 //! It is unique but for motions that no point sees, so it keeps the symmetries of a scene, and it does not depend on the solver, nor on
-//! which body is held. Slip that friction leaves in a range stays as the solver found it.
+//! which body is held. Pressed points slip as the solver found it, also where their slip is in a range.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::freedom::pressed;
 use crate::problem::FreeMotions;
-use crate::solver::Step;
 use crate::solver::least_distance::least_distance;
+use crate::solver::{Residuals, Step};
 use crate::state::{Status, TrialState};
 
 /// Part of what points see of the single rigid motions below which a motion is one of bodies that go together: where gaps are open, points of both
@@ -24,6 +23,8 @@ use crate::state::{Status, TrialState};
 const UNSEEN: f64 = 0.1;
 /// Part of the largest motion that is rounding.
 const ROUNDING: f64 = 1e-12;
+/// Residuals up to this are those of a solution.
+const ACCEPTED: f64 = 1e-10;
 /// Most ways to the nearest place without penetration, each from where the one before ended.
 const WAYS: usize = 4;
 
@@ -36,22 +37,21 @@ pub(super) fn take(step: &Step<'_>, trial: &mut TrialState) {
         let pressed = pressed(&trial.forces, &trial.status);
         (0..step.count()).partition(|&k| pressed(k))
     };
-    let rubs = |k: usize| {
-        let bound = step.bound(k, trial.forces[2 * k], 0.0);
-        bound.stick > 0.0 || bound.slip > 0.0
-    };
-    let rows = (held.iter()).flat_map(|&k| (2 * k..).take(1 + usize::from(rubs(k))));
+    let rows = held.iter().flat_map(|&k| [2 * k, 2 * k + 1]);
     let free = FreeMotions::of(step.problem, rows);
     let Some((amounts, change)) = free.and_then(|free| least(step, trial, &free, &loose)) else {
         return;
     };
-    trial.rigid += amounts;
-    trial.motion += change;
-    let tolerance = ROUNDING * trial.motion.amax();
+    let mut moved = trial.clone();
+    moved.rigid += amounts;
+    moved.motion += change;
     for k in loose {
-        if trial.motion[2 * k] > tolerance {
-            trial.status[k] = Status::Open;
-        }
+        moved.status[k] = Status::Open;
+    }
+    // Where rounding takes more than the motion is worth, bodies stay.
+    let before = Residuals::of(step, trial).largest();
+    if Residuals::of(step, &moved).largest() <= before.max(ACCEPTED) {
+        *trial = moved;
     }
 }
 
@@ -77,17 +77,20 @@ fn least(
         let lacking: Vec<f64> = (room.iter().zip(&reached))
             .map(|(room, reached)| -room - reached)
             .collect();
-        if lacking.iter().all(|&lack| lack <= f64::EPSILON * largest) {
+        if lacking.iter().all(|&lack| lack <= 0.1 * ROUNDING * largest) {
             break;
         }
-        way += least_distance(&edges, &lacking)?;
+        let Some(more) = least_distance(&edges, &lacking) else {
+            break;
+        };
+        way += more;
     }
     let change = seen.moves * &way;
     let clear = |(k, room): (&usize, &f64)| change[2 * k] >= -room - ROUNDING * largest;
     (loose.iter().zip(&room).all(clear)).then(|| (seen.amounts * way, change))
 }
 
-/// Those of the free motions that points see, in combinations whose Σ a |Δ(g, s)|² is the square of their amounts.
+/// Those of the free motions that points see, in combinations whose Σ a |Δ(g, s)|² / Σ a is the square of their amounts.
 struct Seen {
     /// Amounts of the rigid motions, m × s.
     amounts: DMatrix<f64>,
@@ -101,7 +104,8 @@ impl Seen {
     /// `None` if no point sees any.
     fn of(step: &Step<'_>, trial: &TrialState, free: &FreeMotions) -> Option<Self> {
         let (points, modes) = (step.problem.points(), step.problem.modes());
-        let weight = |row: usize| points[row / 2].area.sqrt();
+        let whole: f64 = points.iter().map(|point| 2.0 * point.area).sum();
+        let weight = |row: usize| (points[row / 2].area / whole).sqrt();
         let weigh = |motions: &DMatrix<f64>| {
             DMatrix::from_fn(motions.nrows(), motions.ncols(), |row, motion| {
                 weight(row) * motions[(row, motion)]
@@ -134,7 +138,7 @@ impl Seen {
 /// Amounts of rigid motions that span the same as `basis`, m × f, orthonormal where each is counted in what points see of it alone, the columns of
 /// `weighed`; `None` if they see none.
 fn evened(basis: &DMatrix<f64>, weighed: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let whole = weighed.norm();
+    let whole = Some(weighed.norm()).filter(|whole| *whole > 0.0)?;
     let unit = |mode: usize| match weighed.column(mode).norm() {
         0.0 => whole,
         own => own,
@@ -148,5 +152,5 @@ fn evened(basis: &DMatrix<f64>, weighed: &DMatrix<f64>) -> Option<DMatrix<f64>> 
     for mut motion in amounts.column_iter_mut() {
         motion.component_div_assign(&units);
     }
-    (whole > 0.0).then_some(amounts)
+    Some(amounts)
 }

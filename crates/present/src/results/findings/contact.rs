@@ -244,8 +244,8 @@ pub(super) fn gaps(contacts: &[&str], steps: &[usize]) -> String {
     };
     format!(
         "In an increment of load step {} {who} {press} at too few points, or at none, to hold {whose} bodies: a rigid motion changes no force. \
-         Of the places they may take the one is shown at which the surfaces have moved least against each other; COPEN, displacements and what \
-         closes next follow from that choice.",
+         Where nothing presses them, they are shown where the surfaces have moved least against each other; COPEN, displacements and what \
+         closes next follow from the place.",
         numbers(steps)
     )
 }
