@@ -21,7 +21,7 @@
 //!
 //! To add a solver, write its file and add its module, its [`SolverKind`] and its line in [`SOLVERS`] here.
 
-mod accept;
+pub(crate) mod accept;
 mod active_set;
 mod attempt;
 mod augmented;

@@ -7,30 +7,25 @@
 //! min Σ a |Δ(g, s)|² / Σ a,     g ≥ 0 where nothing presses
 //! ```
 //!
-//! It is unique but for motions that no point sees, so it keeps the symmetries of a scene, and it does not depend on the solver, nor on
-//! which body is held. Pressed points slip as the solver found it, also where their slip is in a range.
+//! It is unique but for motions of bodies that go together, so it keeps the symmetries of a scene and does not depend on the solver.
+//! Pressed points slip as the solver found it, also where their slip is in a range.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::freedom::pressed;
 use crate::problem::FreeMotions;
+use crate::solver::accept::ACCEPTED;
 use crate::solver::least_distance::least_distance;
 use crate::solver::{Residuals, Step};
 use crate::state::{Status, TrialState};
 
-/// Part of what points see of the single rigid motions below which a motion is one of bodies that go together: where gaps are open, points of both
-/// sides stand apart, and see a clearance of a common turn.
+/// Part of what points see of the single rigid motions below which a motion is one of bodies that go together: points of both sides of an
+/// open gap stand apart, and see the clearance of a common turn.
 const UNSEEN: f64 = 0.1;
-/// Part of the largest motion that is rounding.
-const ROUNDING: f64 = 1e-12;
-/// Residuals up to this are those of a solution.
-const ACCEPTED: f64 = 1e-10;
-/// Most ways to the nearest place without penetration, each from where the one before ended.
-const WAYS: usize = 4;
 
 /// Moves the bodies that hang loose in `trial`, the end of `step`, to where they have moved least.
 pub(super) fn take(step: &Step<'_>, trial: &mut TrialState) {
-    if step.count() == 0 || step.problem.modes().ncols() == 0 {
+    if step.problem.modes().ncols() == 0 {
         return;
     }
     let (held, loose): (Vec<usize>, Vec<usize>) = {
@@ -69,25 +64,15 @@ fn least(
     });
     // What penetrates, by rounding, stays as it is.
     let room: Vec<f64> = loose.iter().map(|k| trial.motion[2 * k].max(0.0)).collect();
-    let largest = trial.motion.amax();
     let mut way = seen.unbounded;
-    // The first way costs digits, which later ones find again.
-    for _ in 0..WAYS {
-        let reached = edges.tr_mul(&way);
-        let lacking: Vec<f64> = (room.iter().zip(&reached))
-            .map(|(room, reached)| -room - reached)
-            .collect();
-        if lacking.iter().all(|&lack| lack <= 0.1 * ROUNDING * largest) {
-            break;
-        }
-        let Some(more) = least_distance(&edges, &lacking) else {
-            break;
-        };
-        way += more;
+    let reached = edges.tr_mul(&way);
+    let lacking: Vec<f64> = (room.iter().zip(&reached))
+        .map(|(room, reached)| -room - reached)
+        .collect();
+    if lacking.iter().any(|&lack| lack > 0.0) {
+        way += least_distance(&edges, &lacking)?;
     }
-    let change = seen.moves * &way;
-    let clear = |(k, room): (&usize, &f64)| change[2 * k] >= -room - ROUNDING * largest;
-    (loose.iter().zip(&room).all(clear)).then(|| (seen.amounts * way, change))
+    Some((seen.amounts * &way, seen.moves * way))
 }
 
 /// Those of the free motions that points see, in combinations whose Σ a |Δ(g, s)|² / Σ a is the square of their amounts.

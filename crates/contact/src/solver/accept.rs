@@ -6,7 +6,7 @@ use crate::state::{Status, TrialState};
 /// Relative size below which a violation is rounding.
 pub(super) const ROUNDING: f64 = 1e-12;
 /// Largest relative residual of a verified solution.
-pub(super) const ACCEPTED: f64 = 1e-10;
+pub(crate) const ACCEPTED: f64 = 1e-10;
 
 /// Number of points of `trial` that stick although a slip at once would be admissible too.
 pub(super) fn doubtful(step: &Step<'_>, trial: &TrialState) -> usize {

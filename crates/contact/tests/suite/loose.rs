@@ -15,27 +15,31 @@ use crate::coulomb;
 const AROUND: usize = 12;
 const CLEARANCE: f64 = 0.1;
 
-/// A rigid disk of radius 1 in two holes with a clearance, the first of them held, the second moved along x by load case 0 and along y by load case 1.
-/// The points of a hole count by `areas`.
+/// [`disk`] with points all around.
 fn between(areas: [f64; 2]) -> InterfaceProblem {
-    let normals: Vec<[f64; 2]> = (0..AROUND)
-        .map(|k| k as f64 * std::f64::consts::TAU / AROUND as f64)
-        .map(|angle| [angle.cos(), angle.sin()])
-        .collect();
-    let size = 2 * AROUND;
+    let angle = |k: usize| k as f64 * std::f64::consts::TAU / AROUND as f64;
+    disk((0..AROUND).map(angle), areas)
+}
+
+/// A rigid disk of radius 1 in two holes with a clearance, the first of them held, the second moved along x by load case 0 and along y by load case 1;
+/// case 2 pushes the disk along x. The points of a hole lie at `angles` and count by `areas`.
+fn disk(angles: impl Iterator<Item = f64>, areas: [f64; 2]) -> InterfaceProblem {
+    let normals: Vec<[f64; 2]> = angles.map(|angle| [angle.cos(), angle.sin()]).collect();
+    let size = 2 * normals.len();
     let turning = DMatrix::from_fn(size, 3, |row, motion| {
         let [x, y] = normals[row / 2];
         [[1.0, 0.0, -y], [0.0, 1.0, x]][row % 2][motion]
     });
-    let still = || vec![DVector::zeros(size); 2];
+    let still = || vec![DVector::zeros(size); 3];
+    let push = DVector::from_row_slice(&[1.0, 0.0, 0.0]);
     let disk = GivenBody::floating(
         DMatrix::zeros(size, size),
         turning,
         still(),
-        vec![DVector::zeros(3); 2],
+        vec![DVector::zeros(3), DVector::zeros(3), push],
     );
-    let held = RigidBody::held(normals.clone(), 2);
-    let moved = [0, 1].map(|along| DVector::from_fn(size, |row, _| f64::from(row % 2 == along)));
+    let held = RigidBody::held(normals.clone(), 3);
+    let moved = [0, 1, 2].map(|along| DVector::from_fn(size, |row, _| f64::from(row % 2 == along)));
     let moved = GivenBody::held(DMatrix::zeros(size, size), moved.into());
     let pair = |second: usize, area: f64| ContactPair {
         name: "hole".into(),
@@ -46,7 +50,7 @@ fn between(areas: [f64; 2]) -> InterfaceProblem {
             .map(|(k, &normal)| ContactPoint {
                 first: k.into(),
                 second: k.into(),
-                normal: normal.map(|part| -part),
+                normal,
                 gap: CLEARANCE,
                 area,
                 material_angle: 0.0,
@@ -98,7 +102,7 @@ fn a_loose_disk_lies_between_its_holes() {
     ] {
         let problem = between(areas);
         let committed = ContactState::unloaded(&problem);
-        let step = Step::new(&problem, &committed, &[way, 0.0]);
+        let step = Step::new(&problem, &committed, &[way, 0.0, 0.0]);
         for place in [[0.08, 0.0, 0.0], [0.07, 0.01, 0.3], [0.08, -0.02, -0.1]] {
             let found = taken(&step, place);
             let off = [found[0] - wanted, found[1], found[2]];
@@ -168,7 +172,7 @@ fn what_is_pressed_does_not_slide() {
             own.with_law(pair, coulomb(mu)).unwrap()
         });
         let committed = ContactState::unloaded(&problem);
-        let step = Step::new(&problem, &committed, &[0.0, 0.0]);
+        let step = Step::new(&problem, &committed, &[0.0; 3]);
         let mut trial = at(&step, [0.0; 3]);
         for (k, slip) in [(0, 3.0), (4, 4.0), (8, -1.0)] {
             trial.status[k] = Status::slip_along(slip);
@@ -187,10 +191,10 @@ fn what_is_pressed_does_not_slide() {
 fn points_without_force_open_where_their_body_moves() {
     let problem = between([1.0, 1.0]);
     let committed = ContactState::unloaded(&problem);
-    let step = Step::new(&problem, &committed, &[0.0, 0.0]);
+    let step = Step::new(&problem, &committed, &[0.0; 3]);
     let mut trial = at(&step, [CLEARANCE, 0.0, 0.3]);
     trial.status[0] = Status::Stick;
-    trial.status[AROUND + 6] = Status::SlipPositive;
+    trial.status[AROUND] = Status::SlipPositive;
     let end = Increment::accept(&step, trial);
     assert!(
         end.state
@@ -205,6 +209,25 @@ fn points_without_force_open_where_their_body_moves() {
             .iter()
             .all(|own| *own == committed.history[0])
     );
+}
+
+/// A disk on two points that stand so close that turning about them counts as free: it stays where turning would lift one of them.
+#[test]
+fn pressed_points_keep_their_gaps() {
+    const HALF: f64 = 1.5e-7;
+    let problem = disk([-HALF, HALF, 2.0, 4.0].into_iter(), [1.0, 1.0]);
+    let problem = (0..2).fold(problem, |own, pair| {
+        own.with_law(pair, coulomb(0.0)).unwrap()
+    });
+    let committed = ContactState::unloaded(&problem);
+    let step = Step::new(&problem, &committed, &[0.05, 0.0, 1.0]);
+    let mut trial = at(&step, [CLEARANCE, 0.0, 0.3]);
+    for k in [0, 1] {
+        trial.status[k] = Status::SlipPositive;
+        trial.forces[2 * k] = 0.5;
+    }
+    let end = Increment::accept(&step, trial);
+    assert!(end.residuals.largest() < 1e-10, "{:?}", end.residuals);
 }
 
 /// Bodies without contact have no place to take.
@@ -234,7 +257,7 @@ proptest! {
     ) {
         let problem = between(areas);
         let committed = ContactState::unloaded(&problem);
-        let step = Step::new(&problem, &committed, &way);
+        let step = Step::new(&problem, &committed, &[way[0], way[1], 0.0]);
         let moved = |state: &TrialState| -> f64 {
             let since = &state.motion - &committed.motion;
             let of = |row: usize| problem.points()[row / 2].area * since[row].powi(2);

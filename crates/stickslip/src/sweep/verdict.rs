@@ -155,7 +155,7 @@ fn called_by(sweep: &Sweep) -> Option<String> {
     } else {
         format!(
             "The mode is called by {title} along the characteristic curve, at the first failure of a ply there, which may be a crack between fibres: these are no ultimate \
-             loads (joint.criterion = \"yamada_sun\" calls those, where the scene asks for it)."
+             loads (\"yamada_sun\" among the scene's failure.criteria calls those)."
         )
     })
 }

@@ -239,11 +239,11 @@ fn ripples(
 /// `contacts` leave their bodies loose in `steps`.
 pub(super) fn gaps(contacts: &[&str], steps: &[usize]) -> String {
     let (who, press, whose) = match contacts {
-        [one] => (format!("contact '{one}'"), "presses", "its"),
-        _ => (format!("contacts {}", quoted(contacts)), "press", "their"),
+        [one] => (format!("Contact '{one}'"), "presses", "its"),
+        _ => (format!("Contacts {}", quoted(contacts)), "press", "their"),
     };
     format!(
-        "In an increment of load step {} {who} {press} at too few points, or at none, to hold {whose} bodies: a rigid motion changes no force. \
+        "{who} {press} at too few points, or at none, to hold {whose} bodies in an increment of load step {}: a rigid motion changes no force. \
          Where nothing presses them, they are shown where the surfaces have moved least against each other; COPEN, displacements and what \
          closes next follow from the place.",
         numbers(steps)
