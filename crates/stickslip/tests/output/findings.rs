@@ -293,6 +293,37 @@ fn sentences_hold_steps_parts_and_display_units() {
     }
 }
 
+/// Contacts that leave bodies loose in the same steps are one note, and findings for themselves.
+#[test]
+fn loose_contacts_of_the_same_steps_share_a_note() {
+    let loose = |contact: &str, steps: &[usize]| {
+        let found = ContactFinding::GapsUndetermined {
+            bodies: ["plate".to_owned(), contact.to_owned()],
+            steps: steps.to_vec(),
+        };
+        Finding::about(contact, found)
+    };
+    let mut results = results();
+    results.findings = vec![loose("a", &[1, 2]), loose("b", &[3]), loose("c", &[1, 2])];
+    let summary = summary_json(&results).unwrap();
+    let notes = summary["notes"].as_array().unwrap();
+    let begin = |start: &str| {
+        notes
+            .iter()
+            .filter(|note| note.as_str().unwrap().starts_with(start))
+            .count()
+    };
+    assert_eq!(
+        (
+            notes.len(),
+            begin("Contacts 'a' and 'c'"),
+            begin("Contact 'b'")
+        ),
+        (2, 1, 1)
+    );
+    assert_eq!(summary["findings"].as_array().unwrap().len(), 3);
+}
+
 #[test]
 fn the_summary_has_their_numbers_in_display_units() {
     let mut results = results();
