@@ -3,8 +3,13 @@
 //!
 //! Neither solution is cut back, so a step that the other solver or the smaller increments do not solve has no comparison.
 
+mod again;
+mod finer;
+
 use stickslip_fem_core::parallel;
 
+use self::again::Again;
+use self::finer::FinerWalk;
 use super::course::Course;
 use super::stages::Stages;
 use super::{LoadHistory, StepRecord};
@@ -12,22 +17,12 @@ use crate::deformed::Kinematics;
 use crate::error::ContactError;
 use crate::interface::Interface;
 use crate::problem::InterfaceProblem;
-use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
+use crate::solver::InterfaceSolver;
 use crate::thinned::{Thinned, Whole};
 use crate::uniqueness::{NEAR_BOUND, bound_with_turns_held};
 
 /// Part of the largest motion up to which a difference of slips is rounding.
 const ROUNDING: f64 = 1e-9;
-/// Number of increments up to which a step that was cut back is walked again in twice as many.
-const MANY: usize = 32;
-/// Number of increments from which on a load step with friction is not compared with a finer one.
-const DIVIDED: usize = 8;
-/// How many times as many increments a step is compared with that has fewer.
-const FINER: usize = 4;
-/// Floating-point operations that comparisons with more increments may take, or those of the whole history where these are more.
-const EFFORT_ON_PATH: f64 = 3e9;
-/// Cosine of the turn of the load path from which on increments before count for the next step too.
-const STRAIGHT: f64 = 0.99;
 /// Number of touching points up to which the bound of uniqueness is estimated for each step.
 const FEW: usize = 12;
 
@@ -98,15 +93,18 @@ pub struct Otherwise {
     pub missing: Option<Missing>,
     /// By the same solver in twice as many increments: where the step was cut back under friction into few of them.
     pub finer: Option<Difference>,
-    /// By the same solver in four times as many increments: where friction acts, the load path begins or turns, and few increments divide the step.
+    /// By the same solver where the history is walked in [`FINER`](Self::FINER) times as many increments: in steps of few increments with friction in which the load path
+    /// begins or turns or contact bears anew, and in as many in those that follow. `None` before the first of them.
     pub path: Option<Difference>,
-    /// Why that is missing where it was called for.
+    /// Why that is missing where friction acts.
     pub path_missing: Option<Missing>,
 }
 
 impl Otherwise {
     /// Floating-point operations of pivoting that all comparisons of one problem's history may take.
     pub const EFFORT: f64 = 1e9;
+    /// How many times as many increments steps are compared with that have few.
+    pub const FINER: usize = 4;
 
     /// Of both, what differs more.
     fn or_worse(self, other: Self) -> Self {
@@ -126,8 +124,8 @@ impl Otherwise {
 impl LoadHistory {
     /// Compares each of `records`, which `solver` found of this history, with other ways to the end of its step: with another
     /// solver where friction falls with slip or is not below the estimated bound of uniqueness, contact left gaps undetermined or the
-    /// step was cut back, with smaller increments where it was cut back, and where the load path begins or turns in fewer than eight. It costs nothing where none is
-    /// so, as much as the step or its increments elsewhere.
+    /// step was cut back, with smaller increments where it was cut back; and from where the load path begins or turns in fewer than eight increments with a second walk
+    /// through the history. It costs nothing where none is so, as much as the step or its increments elsewhere.
     /// Parts of `interface` are compared each for itself, relative to its own largest pressure, and that which differs most is returned.
     pub fn walked_otherwise(
         &self,
@@ -174,34 +172,6 @@ impl LoadHistory {
         all
     }
 
-    /// Whether the path of the loads that act on `problem` begins with the step `index`, or goes on in another direction; each load is measured by its largest change in
-    /// a step.
-    fn turns(&self, problem: &InterfaceProblem, index: usize) -> bool {
-        let change = |step: usize, case: usize| {
-            let before = step
-                .checked_sub(1)
-                .map_or(0.0, |before| self.steps[before][case]);
-            self.steps[step][case] - before
-        };
-        let (mut product, mut own, mut before) = (0.0, 0.0, 0.0);
-        let cases = 0..self.steps[index].len();
-        for case in cases.filter(|&case| problem.is_moved_by(case)) {
-            let changes = (0..self.steps.len()).map(|step| change(step, case).abs());
-            let largest = changes.fold(0.0, f64::max);
-            if largest == 0.0 {
-                continue;
-            }
-            let now = change(index, case) / largest;
-            let last = index
-                .checked_sub(1)
-                .map_or(0.0, |last| change(last, case) / largest);
-            product += now * last;
-            own += now * now;
-            before += last * last;
-        }
-        own > 0.0 && product <= STRAIGHT * (own * before).sqrt()
-    }
-
     fn problem_otherwise(
         &self,
         stages: &Stages<'_>,
@@ -221,39 +191,31 @@ impl LoadHistory {
             let held = || bound_with_turns_held(problem, &record.state.status);
             record.uniqueness.or_else(held)
         });
+        let operations = own.iter().map(|record| record.work.operations as f64);
+        let mut finer = FinerWalk::new(operations.sum(), stages.are_unchanging());
         let mut effort = Otherwise::EFFORT;
-        let walked = own.iter().map(|record| record.work.operations as f64);
-        let mut effort_on_path = walked.sum::<f64>().max(EFFORT_ON_PATH);
-        let mut all = Vec::with_capacity(records.len());
-        for (index, record) in own.into_iter().enumerate() {
+        let step = |index: usize| {
+            let again = Again::new(self, stages, part, index, records);
             let mut found = Otherwise::default();
-            let course = &stages.courses(index)[part];
-            let again = || Again {
-                history: self,
-                course,
-                start: stages.start(index, part, &records[..index]),
-                index,
-                record,
-            };
-            if record.coefficient > 0.0 {
-                if record.cutbacks > 0 && record.increments <= MANY {
-                    found.finer = again().by(solver, solver.name(), 2 * record.increments);
-                } else if record.increments < DIVIDED && self.turns(course.problem, index) {
-                    match again().in_more(solver, &mut effort_on_path) {
-                        Ok(difference) => found.path = Some(difference),
-                        Err(missing) => found.path_missing = Some(missing),
-                    }
-                }
-                if record.cutbacks > 0 || may_have_several(course.problem, record, estimate) {
-                    match again().by_another(&mut effort) {
-                        Ok(difference) => found.other_solver = Some(difference),
-                        Err(missing) => found.missing = Some(missing),
-                    }
+            match finer.step(&again, solver) {
+                Ok(difference) => found.path = difference.filter(|_| again.rubs()),
+                Err(missing) => found.path_missing = again.rubs().then_some(missing),
+            }
+            let record = again.record();
+            if again.was_cut_back() {
+                found.finer = again.by(solver, solver.name(), 2 * record.increments);
+            }
+            let problem = again.problem();
+            let several = || record.cutbacks > 0 || may_have_several(problem, record, estimate);
+            if again.rubs() && several() {
+                match again.by_another(&mut effort) {
+                    Ok(difference) => found.other_solver = Some(difference),
+                    Err(missing) => found.missing = Some(missing),
                 }
             }
-            all.push(found);
-        }
-        all
+            found
+        };
+        (0..records.len()).map(step).collect()
     }
 }
 
@@ -292,96 +254,4 @@ fn falls_with_slip(problem: &InterfaceProblem, record: &StepRecord) -> bool {
     };
     let slides = |k: usize| state.status[k].touches() && problem.points()[k].slides;
     (0..state.status.len()).any(|k| slides(k) && falls(k))
-}
-
-/// A load step to be walked again.
-struct Again<'a> {
-    history: &'a LoadHistory,
-    course: &'a Course<'a>,
-    start: StepRecord,
-    index: usize,
-    record: &'a StepRecord,
-}
-
-impl Again<'_> {
-    /// By pivoting, or by Newton where pivoting found the step, unless that would take more than `effort`, which is reduced by what it
-    /// takes.
-    fn by_another(&self, effort: &mut f64) -> Result<Difference, Missing> {
-        let parts = self.history.substeps[self.index];
-        let (newton, pivoting) = (SemismoothNewton::default(), Pivoting::default());
-        if self.record.solvers.contains(&pivoting.name()) {
-            let found = self.by(&newton, newton.name(), parts);
-            return found.ok_or(Missing::Answer);
-        }
-        // Of order three times the number of points, with about two pivots per unknown.
-        let order = 3.0 * self.course.problem.points().len() as f64;
-        let cost = 4.0 * order.powi(3) * parts as f64;
-        if cost > *effort {
-            return Err(Missing::Effort);
-        }
-        *effort -= cost;
-        let found = self.by(&pivoting, pivoting.name(), parts);
-        found.ok_or(Missing::Answer)
-    }
-
-    /// By the same solver in more increments, unless that would take more than `effort`, which is reduced by what it takes.
-    fn in_more(
-        &self,
-        solver: &dyn InterfaceSolver,
-        effort: &mut f64,
-    ) -> Result<Difference, Missing> {
-        let cost = FINER as f64 * self.record.work.operations as f64;
-        if cost > *effort {
-            return Err(Missing::Effort);
-        }
-        *effort -= cost;
-        let found = self.by(solver, solver.name(), FINER * self.record.increments);
-        found.ok_or(Missing::Answer)
-    }
-
-    fn by(
-        &self,
-        solver: &dyn InterfaceSolver,
-        name: &'static str,
-        increments: usize,
-    ) -> Option<Difference> {
-        let target = &self.history.steps[self.index];
-        let mut walk = self.start.at_its_end();
-        for part in 1..=increments {
-            let part = part as f64 / increments as f64;
-            let start = &self.start.state;
-            let multipliers = self.history.multipliers(self.index, start, target, part);
-            let advanced = self.course.advance(&mut walk, solver, false, &multipliers);
-            advanced.ok()?;
-        }
-        Some(self.difference(&walk, name, increments))
-    }
-
-    fn difference(&self, walk: &StepRecord, solver: &'static str, increments: usize) -> Difference {
-        let (state, other) = (&self.record.state, &walk.state);
-        let points = self.course.problem.points().iter().enumerate();
-        let (mut peak, mut other_peak, mut traction) = (0.0_f64, 0.0_f64, 0.0_f64);
-        for (k, point) in points {
-            peak = peak.max(state.normal_force(k) / point.area);
-            other_peak = other_peak.max(other.normal_force(k) / point.area);
-            let normal = other.normal_force(k) - state.normal_force(k);
-            let tangential = other.tangential_force(k) - state.tangential_force(k);
-            traction = traction.max(normal.abs().max(tangential.abs()) / point.area);
-        }
-        let over = |value: f64, whole: f64| if whole > 0.0 { value / whole } else { 0.0 };
-        let (slip, other_slip) = (&self.record.slip, &walk.slip);
-        let (work, other_work) = (self.record.dissipation(), walk.dissipation());
-        let length = ROUNDING * state.motion.amax();
-        let beyond = |value: f64, least: f64| if value.abs() > least { value } else { 0.0 };
-        let slipped = beyond((other_slip - slip).amax(), length);
-        let worked = beyond(other_work - work, length * state.forces.lp_norm(1));
-        Difference {
-            solver,
-            increments,
-            peak_pressure: over(other_peak - peak, peak),
-            traction: over(traction, peak),
-            slip: over(slipped, slip.amax().max(other_slip.amax())),
-            dissipation: over(worked, work.max(other_work)),
-        }
-    }
 }

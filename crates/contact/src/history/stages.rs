@@ -55,6 +55,11 @@ impl<'a> Stages<'a> {
         })
     }
 
+    /// Whether all steps have the same problems.
+    pub(super) fn are_unchanging(&self) -> bool {
+        self.thinned.is_none()
+    }
+
     /// The problems of step `step`.
     pub(super) fn courses(&self, step: usize) -> &[Course<'a>] {
         &self.courses[step.min(self.courses.len() - 1)]

@@ -96,15 +96,19 @@ fn nothing_is_asked_where_the_answer_is_one() {
         let path = Otherwise { path: None, ..*own };
         assert_eq!(path, Otherwise::default());
     }
-    let expected = peak_in(&SemismoothNewton::default(), 4) / peak(&records) - 1.0;
+    let steps = vec![START.to_vec(), END.to_vec()];
+    let fine = LoadHistory::new(steps, 4, Ramp::Linear).unwrap();
+    let fine = fine.follow(&disk(1.0, 1.0), &SemismoothNewton::default(), |_| {});
+    let expected = peak(&fine.unwrap()) / peak(&records) - 1.0;
     let found = otherwise[1].path.unwrap().peak_pressure;
     assert!((found - expected).abs() < 1e-12, "{found} {expected}");
 }
 
-/// A step that goes on in the direction of the one before, in any units, one that holds, and one of many increments are not compared; one that turns back is.
+/// Steps in which the path begins or turns are walked in four times as many increments, in any units; those that go on as the one before, or hold, in as many from where
+/// these end. Steps of many increments are not walked again.
 #[test]
-fn load_paths_are_compared_where_they_turn() {
-    let compared = |steps: &[[f64; 2]], substeps: usize, unit: f64| -> Vec<bool> {
+fn load_paths_are_divided_where_they_turn() {
+    let divided = |steps: &[[f64; 2]], substeps: usize, unit: f64| -> Vec<usize> {
         let problem = disk(1.0, 1.0);
         let scaled = steps.iter().map(|step| step.to_vec()).collect();
         let history = LoadHistory::new(scaled, substeps, Ramp::Linear).unwrap();
@@ -114,8 +118,9 @@ fn load_paths_are_compared_where_they_turn() {
         let other: Vec<Vec<f64>> = steps.iter().map(|[a, b]| vec![*a, unit * b]).collect();
         let other = LoadHistory::new(other, substeps, Ramp::Linear).unwrap();
         let ways = other.walked_otherwise(&problem.into(), &Kinematics::Small, &solver, &records);
-        let asked = |own: &Otherwise| own.path.is_some() || own.path_missing.is_some();
-        ways.iter().map(asked).collect()
+        assert!(ways.iter().all(|own| own.path_missing.is_none()));
+        let increments = |own: &Otherwise| own.path.map_or(0, |path| path.increments);
+        ways.iter().map(increments).collect()
     };
     let on = [
         [-1.0, 0.0],
@@ -124,9 +129,64 @@ fn load_paths_are_compared_where_they_turn() {
         [-3.0, 0.0],
         [-2.0, 0.0],
     ];
-    assert_eq!(compared(&on, 1, 1.0), [true, false, false, true, true]);
-    assert_eq!(compared(&on, 8, 1.0), [false; 5]);
+    assert_eq!(divided(&on, 1, 1.0), [4, 1, 1, 4, 4]);
+    assert_eq!(divided(&on, 8, 1.0), [0; 5]);
     let turned = [[-2.0, 0.1], [-2.5, -0.1]];
-    assert_eq!(compared(&turned, 1, 1.0), [true, true]);
-    assert_eq!(compared(&turned, 1, 1e-3), [true, true]);
+    assert_eq!(divided(&turned, 1, 1.0), [4, 4]);
+    assert_eq!(divided(&turned, 1, 1e-3), [4, 4]);
+}
+
+/// What more increments change is what they change at the end of the whole history, not of a step from where few increments lead: the same as two histories apart.
+#[test]
+fn a_load_path_is_refined_from_its_beginning() {
+    let steps = [
+        [-2.0, 0.3],
+        [-2.5, 0.9],
+        [-2.6, 0.2],
+        [-1.5, -0.4],
+        [-1.39, -0.46],
+    ];
+    let walk = |substeps: usize| {
+        let steps = steps.iter().map(|step| step.to_vec()).collect();
+        let history = LoadHistory::new(steps, substeps, Ramp::Linear).unwrap();
+        let solver = SemismoothNewton::default();
+        let problem = disk(1.0, 1.0);
+        let records = history.follow(&problem, &solver, |_| {}).unwrap();
+        let ways = history.walked_otherwise(&problem.into(), &Kinematics::Small, &solver, &records);
+        (records, ways)
+    };
+    let (coarse, ways) = walk(1);
+    let (fine, _) = walk(4);
+    for step in 0..4 {
+        let path = ways[step].path.unwrap();
+        assert_eq!(path.increments, 4, "step {step}");
+        let work = [&coarse, &fine].map(|records| records[step].dissipation());
+        let expected = (work[1] - work[0]) / work[0].max(work[1]);
+        assert!((path.dissipation - expected).abs() < 1e-12, "step {step}");
+        let expected = peak(&fine[..=step]) / peak(&coarse[..=step]) - 1.0;
+        assert!((path.peak_pressure - expected).abs() < 1e-12, "step {step}");
+    }
+    let last = ways[4].path.unwrap();
+    assert_eq!(last.increments, 1);
+    assert!(last.traction > 1e-6, "{last:?}");
+}
+
+/// A step in which contact bears anew forgets what was before, though its loads go on as those of the step before: it is divided too.
+#[test]
+fn a_step_that_bears_anew_is_divided() {
+    let steps = vec![vec![-2.0, 0.3], vec![0.0, 0.0], vec![2.0, -0.3]];
+    let history = LoadHistory::new(steps, 1, Ramp::Linear).unwrap();
+    let (problem, solver) = (disk(1.0, 1.0), SemismoothNewton::default());
+    let records = history.follow(&problem, &solver, |_| {}).unwrap();
+    let ways = history.walked_otherwise(&problem.into(), &Kinematics::Small, &solver, &records);
+    assert_eq!((records[1].coefficient, ways[1].path), (0.0, None));
+    let path = ways[2].path.unwrap();
+    assert_eq!(path.increments, 4);
+    // The other way round it is the first step.
+    let first = ways[0].path.unwrap();
+    assert!(first.dissipation.abs() > 0.01, "{first:?}");
+    assert!(
+        (path.dissipation - first.dissipation).abs() < 1e-9,
+        "{first:?} {path:?}"
+    );
 }

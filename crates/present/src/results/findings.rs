@@ -22,34 +22,34 @@ pub use joint::joint_sentence;
 pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
     match finding {
         Finding::PointsInDoubt { steps, points } => format!(
-            "The answer is not unique in load step {}: up to {points} contact points stick with a traction between the dynamic and the \
+            "The answer is not unique in {}: up to {points} contact points stick with a traction between the dynamic and the \
              static bound, where slip at the dynamic traction would be admissible too. They were taken to stick because they had \
              not slipped before.",
-            numbers(steps)
+            load_steps(steps)
         ),
         Finding::Unverified {
             steps,
             solvers,
             residual,
         } => format!(
-            "The answer is not verified in load step {}: the experimental solver {} leaves a residual of up to {residual:.1e} in the conditions of \
+            "The answer is not verified in {}: the experimental solver {} leaves a residual of up to {residual:.1e} in the conditions of \
              contact and friction, where others stop below 1e-10.",
-            numbers(steps),
+            load_steps(steps),
             quoted(solvers)
         ),
         Finding::FurtherSolvers(found) => further_solvers(found),
         Finding::SeveralSolutions { steps, solutions } => format!(
-            "The answer is not unique in load step {}: an increment has up to {solutions} solutions with the same loads. That was taken \
+            "The answer is not unique in {}: an increment has up to {solutions} solutions with the same loads. That was taken \
              whose statuses differ least from the last accepted ones, and of equal ones that which moves least.",
-            numbers(steps)
+            load_steps(steps)
         ),
         Finding::NearUniquenessBound(bound) => near_bound(bound),
         Finding::CutBack { steps, effect } => cut_back(steps, *effect),
         Finding::CoarseLoadPath(coarse) => coarse_load_path(coarse),
         Finding::LoadPathUnchecked { steps } => format!(
-            "Whether load step {} with friction depends on the number of its increments was not checked: that takes too much work or was not solved. \
+            "Whether friction depends on the number of increments was not checked in {}: that takes too much work or was not solved. \
              Set analysis.substeps to more and compare.",
-            numbers(steps)
+            load_steps(steps)
         ),
         Finding::SolverDependent(other) => solver_dependent(other),
         Finding::NoOtherSolver {
@@ -62,10 +62,10 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             residual,
             usual,
         } => format!(
-            "Forces balance to {residual:.1e} of the load only in load step {}, where {usual:.0e} is usual: rounding has taken digits \
+            "Forces balance to {residual:.1e} of the load only in {}, where {usual:.0e} is usual: rounding has taken digits \
              from the results, which may be off by thirty times that part. Cells many times longer than wide, bodies many times longer \
              than their contact, and thermal strains far above those of the load cause it.",
-            numbers(steps)
+            load_steps(steps)
         ),
         Finding::MeshFile { body, notes } => mesh_file(body, notes),
         Finding::MovedIntoHole {
@@ -88,9 +88,9 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             quoted(loads)
         ),
         Finding::NoLimitAtSupport { edge, steps } => format!(
-            "No error is stated for the peak tangential stress along {edge} in load step {}: it is where a support ends, grows without limit with every \
+            "No error is stated for the peak tangential stress along {edge} in {}: it is where a support ends, grows without limit with every \
              finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section.",
-            numbers(steps)
+            load_steps(steps)
         ),
         Finding::EccentricLayers { fasteners } => format!(
             "Plates pull at {} at different heights: the moment of these forces would bend plates and fasteners out of the plane, as in every single \
@@ -102,10 +102,10 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
         ),
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, *end),
         Finding::ContactParts { steps } => format!(
-            "In an increment of load step {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
+            "In an increment of {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
              the direction of that way. Give a step without load in between (steps = [\"1 kN\", \"0 N\", \"-1 kN\"]), from which only the way under \
              force counts.",
-            numbers(steps)
+            load_steps(steps)
         ),
         Finding::FreeBody(own) => free::body(own, &quoted(&own.contacts)),
         Finding::FreeTogether { bodies, motions } => free::together(&quoted(bodies), motions),
@@ -173,13 +173,13 @@ fn yields(found: &Yield, units: DisplayUnits) -> String {
         format!("{} {}", short(unit.from_base(at.value())), unit.name)
     });
     format!(
-        "Body '{}' yields: in load step {} its von Mises stress of {} exceeds the yield stress of {} at x = {x}, y = {y}; it does so in load step {}. All \
+        "Body '{}' yields: in load step {} its von Mises stress of {} exceeds the yield stress of {} at x = {x}, y = {y}; it does so in {}. All \
          results are those of an elastic body.",
         found.body,
         found.step,
         stress(found.von_mises),
         stress(found.yield_stress),
-        numbers(&found.steps)
+        load_steps(&found.steps)
     )
 }
 
@@ -200,8 +200,8 @@ fn further_solvers(found: &FurtherSolvers) -> String {
         )
     });
     format!(
-        "More than the first solver was needed in load step {}: {}.{cycle}",
-        numbers(&found.steps),
+        "More than the first solver was needed in {}: {}.{cycle}",
+        load_steps(&found.steps),
         failed.join(", ")
     )
 }
@@ -263,17 +263,17 @@ fn cut_back(steps: &[usize], effect: CutBackEffect) -> String {
         ),
     };
     format!(
-        "The increment was cut back in load step {}.{effect}",
-        numbers(steps)
+        "The increment was cut back in {}.{effect}",
+        load_steps(steps)
     )
 }
 
 fn coarse_load_path(coarse: &CoarseLoadPath) -> String {
     format!(
-        "Load step {} depends on the number of its increments: in {} of them tractions of load step {} change by up to {} of the largest pressure, the work of \
-         friction by {}, and stick and slip with them. Set analysis.substeps to more, or leave it out and ask for an analysis.accuracy.",
-        numbers(&coarse.steps),
-        coarse.increments,
+        "The answer depends on the number of increments in {}: with four times as many where the load path begins or turns, tractions of load step {} change by up \
+         to {} of the largest pressure, the work of friction by {}, and stick and slip with them. Set analysis.substeps to more, or leave it out and ask for an \
+         analysis.accuracy.",
+        load_steps(&coarse.steps),
         coarse.step,
         percent(coarse.traction_change),
         percent(coarse.dissipation_change)
@@ -282,9 +282,9 @@ fn coarse_load_path(coarse: &CoarseLoadPath) -> String {
 
 fn solver_dependent(other: &SolverDependence) -> String {
     format!(
-        "The answer depends on the solver in load step {}: from the same state before the step, {} finds another one that meets \
+        "The answer depends on the solver in {}: from the same state before the step, {} finds another one that meets \
          all contact conditions. In load step {} its largest pressure differs by {}, tractions by up to {} of it.",
-        numbers(&other.steps),
+        load_steps(&other.steps),
         other.solver,
         other.step,
         percent(other.peak_pressure_change),
@@ -296,14 +296,14 @@ fn no_other_solver(too_dear: &[usize], limit: f64, unsolved: &[usize]) -> String
     let mut reasons = Vec::new();
     if !too_dear.is_empty() {
         reasons.push(format!(
-            "load step {} would take more work than comparisons of a history may, {limit:.0e} operations",
-            numbers(too_dear)
+            "{} would take more work than comparisons of a history may, {limit:.0e} operations",
+            load_steps(too_dear)
         ));
     }
     if !unsolved.is_empty() {
         reasons.push(format!(
-            "the other solver did not solve load step {}",
-            numbers(unsolved)
+            "the other solver did not solve {}",
+            load_steps(unsolved)
         ));
     }
     format!(
@@ -329,14 +329,18 @@ fn mesh_file(body: &str, notes: &[FileNote]) -> String {
     format!("The mesh of '{body}': {}.", notes.join("; "))
 }
 
-/// Ascending numbers with runs shortened: "2–5, 9".
-fn numbers(steps: &[usize]) -> String {
+/// "load step 3", or ascending numbers with runs shortened: "load steps 2–5, 9".
+fn load_steps(steps: &[usize]) -> String {
     let runs = steps.chunk_by(|a, b| a + 1 == *b);
     let shown = runs.map(|run| match run {
         [first, .., last] => format!("{first}–{last}"),
         one => one.iter().map(ToString::to_string).collect(),
     });
-    shown.collect::<Vec<_>>().join(", ")
+    let shown = shown.collect::<Vec<_>>().join(", ");
+    match steps {
+        [_] => format!("load step {shown}"),
+        _ => format!("load steps {shown}"),
+    }
 }
 
 /// A part in percent with two digits.

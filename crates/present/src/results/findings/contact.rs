@@ -3,7 +3,7 @@
 use stickslip_engine::results::{ContactFinding, Quantity};
 use stickslip_scene::schema::DisplayUnits;
 
-use super::{numbers, quoted};
+use super::{load_steps, quoted};
 use stickslip_text::short;
 
 /// Part of its size to which a contact may reach in a half-plane.
@@ -50,22 +50,22 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             largest_at,
         } => wanders(name, [*step, *largest_step], [*at, *largest_at], units),
         ContactFinding::Unresolved { steps, nodes } => format!(
-            "The mesh does not resolve contact '{name}' in load step {}: it touches along less than two element edges, at fewest at {nodes} \
+            "The mesh does not resolve contact '{name}' in {}: it touches along less than two element edges, at fewest at {nodes} \
              {}. Its peak pressure, half-width and stresses nearby depend on the mesh; its resultant holds. Reduce mesh.spacing.",
-            numbers(steps),
+            load_steps(steps),
             if *nodes == 1 { "node" } else { "nodes" }
         ),
         ContactFinding::PeakUnresolved { steps, nodes } => format!(
-            "The mesh does not resolve the largest pressure of contact '{name}' in load step {}: it is more than half as large at {nodes} {} only. \
+            "The mesh does not resolve the largest pressure of contact '{name}' in {}: it is more than half as large at {nodes} {} only. \
              That pressure and stresses nearby depend on the mesh, and no error of it is known. Give the edge there more `refine`, or reduce mesh.spacing.",
-            numbers(steps),
+            load_steps(steps),
             if *nodes == 1 { "node" } else { "nodes" }
         ),
         ContactFinding::NoLimit { steps, numbers: of } => format!(
-            "No error is stated for the {} of contact '{name}' in load step {}: friction jumps from one direction or one value to another at a point, \
+            "No error is stated for the {} of contact '{name}' in {}: friction jumps from one direction or one value to another at a point, \
              stress there grows without limit, like the logarithm of the spacing, and the value is that of this division.",
             of.join(" and the "),
-            numbers(steps)
+            load_steps(steps)
         ),
         ContactFinding::NoLimitAtCorner { steps, at } => {
             let places: Vec<String> = at
@@ -73,10 +73,10 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
                 .map(|&at| format!("s = {}", shown(at, units)))
                 .collect();
             format!(
-                "A corner presses at {} of contact '{name}' in load step {}: in the linear model pressure and stress grow without limit towards it, and the largest of \
+                "A corner presses at {} of contact '{name}' in {}: in the linear model pressure and stress grow without limit towards it, and the largest of \
                  them are those of this mesh, without an error. Resultants hold. Round the corner to get a limit.",
                 places.join(" and "),
-                numbers(steps)
+                load_steps(steps)
             )
         }
         ContactFinding::PairsApart {
@@ -84,10 +84,10 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             apart,
             spacing,
         } => format!(
-            "On the deformed geometry nodes of contact '{name}' are paired in load step {} with nodes up to {} from the place that they face, where nodes are \
+            "On the deformed geometry nodes of contact '{name}' are paired in {} with nodes up to {} from the place that they face, where nodes are \
              {} apart. Pressure and stress are smeared over that distance at the ends of contact, and the peak of the stress may be some percent too low. Leave \
              out the mesh, ask for an accuracy of half a model (analysis.accuracy), or widen mesh.spacing.",
-            numbers(steps),
+            load_steps(steps),
             shown(*apart, units),
             shown(*spacing, units)
         ),
@@ -243,19 +243,19 @@ pub(super) fn gaps(contacts: &[&str], steps: &[usize]) -> String {
         _ => (format!("Contacts {}", quoted(contacts)), "press", "their"),
     };
     format!(
-        "{who} {press} at too few points, or at none, to hold {whose} bodies in an increment of load step {}: a rigid motion changes no force. \
+        "{who} {press} at too few points, or at none, to hold {whose} bodies in an increment of {}: a rigid motion changes no force. \
          Where nothing presses them, they are shown where the surfaces have moved least against each other; COPEN, displacements and what \
          closes next follow from the place.",
-        numbers(steps)
+        load_steps(steps)
     )
 }
 
 fn slip(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
     format!(
-        "In an increment of load step {} no point of contact '{name}' sticks that would hold {} against a rigid motion along it, and \
+        "In an increment of {} no point of contact '{name}' sticks that would hold {} against a rigid motion along it, and \
          slip in a range has the same friction: CSLIP1 on '{name}' and displacements are one of many answers of equal right, and so is what follows \
          from them.",
-        numbers(steps),
+        load_steps(steps),
         quoted(bodies)
     )
 }
