@@ -1,6 +1,6 @@
 //! Load steps walked again by another solver or in smaller increments.
 
-use stickslip_contact::history::Otherwise;
+use stickslip_contact::history::{Missing, Otherwise};
 use stickslip_contact::solver::{FailureCause, Step, StepFailure, StepSolution, Work};
 use stickslip_contact::{
     InterfaceSolver, Kinematics, LoadHistory, Pivoting, Ramp, SemismoothNewton, StepRecord,
@@ -169,6 +169,46 @@ fn a_load_path_is_refined_from_its_beginning() {
     let last = ways[4].path.unwrap();
     assert_eq!(last.increments, 1);
     assert!(last.traction > 1e-6, "{last:?}");
+}
+
+/// Newton, but for increments by a quarter of a load step.
+#[derive(Debug)]
+struct NoQuarters;
+
+impl InterfaceSolver for NoQuarters {
+    fn name(&self) -> &'static str {
+        "no quarters"
+    }
+
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        let change = step.multipliers()[1] - step.committed.multipliers[1];
+        if change.abs() < 0.3 {
+            let cause = FailureCause::Limit(0);
+            return Err(StepFailure::new(self.name(), cause, Work::default()));
+        }
+        SemismoothNewton::default().solve(step)
+    }
+}
+
+/// Where more increments have no solution, the step is not compared, nor those that go on from there, until one begins or turns that has.
+#[test]
+fn a_second_walk_that_ends_is_reported_until_it_begins_again() {
+    let steps = [[-2.0, 0.5], [-4.0, 1.0], [-4.0, -1.0]];
+    let steps = steps.iter().map(|step| step.to_vec()).collect();
+    let history = LoadHistory::new(steps, 1, Ramp::Linear).unwrap();
+    let (problem, solver) = (disk(1.0, 1.0), NoQuarters);
+    let records = history.follow(&problem, &solver, |_| {}).unwrap();
+    assert!(records.iter().all(|record| record.cutbacks == 0));
+    let ways = history.walked_otherwise(&problem.into(), &Kinematics::Small, &solver, &records);
+    let missing = |own: &Otherwise| own.path_missing;
+    let [first, second, third] = &ways[..] else {
+        panic!("{ways:?}");
+    };
+    for own in [first, second] {
+        assert_eq!((own.path, missing(own)), (None, Some(Missing::Answer)));
+    }
+    assert_eq!(missing(third), None);
+    assert_eq!(third.path.unwrap().increments, 4);
 }
 
 /// A step in which contact bears anew forgets what was before, though its loads go on as those of the step before: it is divided too.

@@ -30,7 +30,7 @@ fn run_prints_its_warnings_below_the_table() {
         "analysis.experimental=true",
     ];
     let printed = succeeds(folder.path(), &[&run[..], &penalty[..]].concat());
-    let after = printed.split_once("\n\nwarning: The answer is not verified in load step 1");
+    let after = printed.split_once("\n\nwarning: The answer is not verified in load steps 1–2:");
     let (table, rest) = after.unwrap_or_else(|| panic!("{printed}"));
     assert!(
         table.contains("Contact '") && rest.contains("\n\nresults in out\n"),

@@ -2,12 +2,15 @@
 
 use std::cell::OnceCell;
 
-use super::{Difference, LoadHistory, Missing, ROUNDING, StepRecord};
+use super::found::{Difference, Missing};
 use crate::history::course::Course;
 use crate::history::stages::Stages;
+use crate::history::{LoadHistory, StepRecord};
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
 
+/// Part of the largest motion up to which a difference of slips is rounding.
+const ROUNDING: f64 = 1e-9;
 /// Number of increments up to which a step that was cut back is walked again in twice as many.
 const MANY: usize = 32;
 /// Number of increments from which on a load step with friction is not compared with a finer one.

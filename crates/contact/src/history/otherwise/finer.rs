@@ -1,7 +1,8 @@
 //! The history walked a second time, to see what more increments change.
 
 use super::again::Again;
-use super::{Difference, Missing, Otherwise, StepRecord};
+use super::found::{Difference, Missing, Otherwise};
+use crate::history::StepRecord;
 use crate::solver::InterfaceSolver;
 
 /// Floating-point operations that the walk may take, or twice those of the whole history where these are more.
