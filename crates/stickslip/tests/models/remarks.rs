@@ -61,6 +61,19 @@ fn a_plain_joint_needs_no_remark() {
     assert!((friction(1) / fine - 1.0).abs() > 0.05 && (friction(8) / fine - 1.0).abs() < 0.05);
 }
 
+/// The second walk through a history of ten steps takes no more than it may, and finds what unloading inherits.
+#[test]
+fn a_history_of_few_increments_is_compared_to_its_end() {
+    let found = solved(include_str!("../../../../scenes/bushed-pin.toml"), &[]);
+    let notes = |step: usize| found.steps[step].notes.otherwise;
+    assert!((0..10).all(|step| notes(step).path_missing.is_none()));
+    let coarse = found.findings.iter().find_map(|finding| match finding {
+        Finding::CoarseLoadPath(coarse) => Some(&coarse.steps[..]),
+        _ => None,
+    });
+    assert_eq!(coarse, Some(&[2, 3, 9, 10][..]));
+}
+
 /// A contact that bears on one side and then on the other is reported; one that always bears on the far side needs no remark.
 #[test]
 fn a_bearing_point_that_moves_is_reported() {

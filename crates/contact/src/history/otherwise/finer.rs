@@ -78,12 +78,14 @@ impl FinerWalk {
         start: StepRecord,
         times: usize,
     ) -> Result<StepRecord, Missing> {
-        let cost = times as f64 * again.record().work.operations as f64;
-        if cost > self.effort {
+        let record = again.record();
+        let expected = times as f64 * record.work.operations as f64;
+        if expected > self.effort {
             return Err(Missing::Effort);
         }
-        self.effort -= cost;
-        let walked = again.walked(solver, start, times * again.record().increments);
-        walked.ok_or(Missing::Answer)
+        let walk = again.walked(solver, start, times * record.increments);
+        // Shorter increments take less each.
+        self.effort -= (walk.as_ref()).map_or(expected, |walk| walk.work.operations as f64);
+        walk.ok_or(Missing::Answer)
     }
 }
