@@ -30,7 +30,8 @@ impl LoadHistory {
     /// Compares each of `records`, which `solver` found of this history, with other ways to the end of its step: with another
     /// solver where friction falls with slip or is not below the estimated bound of uniqueness, contact left gaps undetermined or the
     /// step was cut back, with smaller increments where it was cut back; and from where the load path begins or turns in fewer than eight increments with a second walk
-    /// through the history. It costs nothing where none is so, as much as the step or its increments elsewhere.
+    /// through the history. It costs nothing where none is so, as much as the
+    /// step or its increments elsewhere, and the second walk at most twice the history or what 3·10⁹ operations are.
     /// Parts of `interface` are compared each for itself, relative to its own largest pressure, and that which differs most is returned.
     pub fn walked_otherwise(
         &self,
