@@ -25,7 +25,7 @@ mod whole_motion;
 use stickslip_contact::history::Otherwise;
 use stickslip_contact::interface::Group;
 use stickslip_contact::{Contacts, InterfaceSolver, StepRecord};
-use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::{InterfaceOperator, parallel};
 
 pub use assembled::{Assembled, condense};
 pub use error::{ProgressiveRunError, RunError};
@@ -99,8 +99,12 @@ pub fn results(
     mut solved: Solved,
 ) -> Result<Results, RunError> {
     let start = model.host.seconds();
-    let recovered = fields::recover(model, &solved);
-    let otherwise = otherwise(model, solver, &solved)?;
+    // Neither needs the other, and each has long parts for one thread.
+    let (recovered, otherwise) = parallel::join(
+        || fields::recover(model, &solved),
+        || otherwise(model, solver, &solved),
+    );
+    let otherwise = otherwise?;
     solved
         .records
         .iter_mut()

@@ -22,24 +22,26 @@ const MOST: usize = 256;
 
 /// The picture of opaque `pixels`, `width` in a row, with a palette.
 pub(super) fn reduced(pixels: &[PremultipliedColorU8], width: usize) -> Image {
-    let (occurring, numbers) = counted(pixels);
+    let (occurring, runs) = counted(pixels);
     let (palette, nearest) = chosen(&occurring);
+    let mut indices = Vec::with_capacity(pixels.len());
+    for (number, length) in runs {
+        indices.resize(indices.len() + length, nearest[number]);
+    }
     Image {
         width,
         palette,
         is_first_transparent: false,
-        indices: numbers
-            .into_iter()
-            .map(|number| nearest[number as usize])
-            .collect(),
+        indices,
     }
 }
 
-/// The colours in the order in which they are met, with how many pixels have each, and the number of each pixel's among them.
-fn counted(pixels: &[PremultipliedColorU8]) -> (Vec<(Color, u32)>, Vec<u32>) {
+/// The colours in the order in which they are met, with how many pixels have each, and the runs of pixels of one colour: its number among
+/// them, and the length.
+fn counted(pixels: &[PremultipliedColorU8]) -> (Vec<(Color, u32)>, Vec<(usize, usize)>) {
     let mut occurring: Vec<(Color, u32)> = Vec::new();
-    let mut numbers = Vec::with_capacity(pixels.len());
-    let mut known: HashMap<u32, u32, FixedState> = HashMap::default();
+    let mut runs = Vec::new();
+    let mut known: HashMap<u32, usize, FixedState> = HashMap::default();
     // Most pixels have the colour of the one before.
     for run in pixels.chunk_by(|a, b| a == b) {
         let [red, green, blue] = [run[0].red(), run[0].green(), run[0].blue()];
@@ -47,12 +49,12 @@ fn counted(pixels: &[PremultipliedColorU8]) -> (Vec<(Color, u32)>, Vec<u32>) {
             .entry(u32::from_be_bytes([0, red, green, blue]))
             .or_insert_with(|| {
                 occurring.push((Color::rgb(red, green, blue), 0));
-                occurring.len() as u32 - 1
+                occurring.len() - 1
             });
-        occurring[number as usize].1 += run.len() as u32;
-        numbers.resize(numbers.len() + run.len(), number);
+        occurring[number].1 += run.len() as u32;
+        runs.push((number, run.len()));
     }
-    (occurring, numbers)
+    (occurring, runs)
 }
 
 /// The palette, and the place in it of the nearest colour to each that occurs.
