@@ -72,7 +72,7 @@ enum Task {
     /// Tries random cases, and checks them by what holds whatever the answer is; fails if a check does.
     Torture(torture::Options),
     /// Runs one scene in a WebAssembly runtime; fails if its laws or numbers differ from the native ones.
-    Wasm,
+    Wasm(wasm::Options),
     /// Reads a batch of mutants; what `torture` starts in a process of its own.
     #[command(hide = true)]
     TortureReaders(torture::readers::Batch),
@@ -103,7 +103,7 @@ fn main() -> ExitCode {
         Task::Gallery(options) => gallery::main(&options),
         Task::Size => size::main(),
         Task::Torture(options) => torture::main(&options),
-        Task::Wasm => wasm::main(),
+        Task::Wasm(options) => wasm::main(&options),
         Task::TortureReaders(batch) => torture::readers::child(&batch),
     };
     let seconds = start.elapsed().as_secs_f64();

@@ -1,10 +1,14 @@
-//! `cargo xtask wasm`: one scene in a WebAssembly runtime, beside the same scene on this machine.
+//! `cargo xtask wasm`: one scene in a WebAssembly runtime, and without threads, beside the same scene on this machine.
 //!
 //! The guest, `xtask/wasm-guest`, is built for `wasm32-unknown-unknown` and interpreted. It must list all friction laws, and its numbers
 //! must be the native ones; what may differ is the rounding of functions that every platform computes in its own way, such as sines.
+//! With `--without-threads` it is also built for this machine without the feature `parallel`, and must have the same bits as this program,
+//! which works on several threads.
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
+use clap::Args;
 use stickslip_wasm_guest as guest;
 use wasmi::{Engine, Instance, Linker, Module, Store};
 
@@ -15,8 +19,18 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// Largest difference of a number, over the largest of all.
 const BOUND: f64 = 1e-9;
 
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// Before that, build the guest for this machine without threads, which takes minutes, and compare the bits of its numbers
+    #[arg(long)]
+    without_threads: bool,
+}
+
 /// Builds, runs and compares; fails if an answer differs.
-pub(crate) fn main() -> Result<bool, TaskError> {
+pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
+    if options.without_threads {
+        println!("{}", without_threads()?);
+    }
     println!("{}", compared(&build()?)?);
     Ok(true)
 }
@@ -24,7 +38,13 @@ pub(crate) fn main() -> Result<bool, TaskError> {
 /// Builds the guest, and returns the path of its module.
 fn build() -> Result<PathBuf, TaskError> {
     let products = root().join("target");
-    let package = ["--package", "stickslip-wasm-guest", "--target", TARGET];
+    let package = [
+        "--package",
+        "stickslip-wasm-guest",
+        "--lib",
+        "--target",
+        TARGET,
+    ];
     if !cargo_build(&root(), &products, &package)?.success() {
         return Err(format!(
             "the guest cannot be built; `rustup target add {TARGET}` adds the target"
@@ -35,6 +55,42 @@ fn build() -> Result<PathBuf, TaskError> {
         .join(TARGET)
         .join("release/stickslip_wasm_guest.wasm");
     Ok(module)
+}
+
+/// Builds the guest for this machine, alone and therefore without threads, and compares the bits of its numbers with those of this program.
+fn without_threads() -> Result<String, TaskError> {
+    // Apart from other builds, which would be replaced by ones without threads.
+    let products = root().join("target/alone");
+    let package = [
+        "--package",
+        "stickslip-wasm-guest",
+        "--bin",
+        "stickslip-wasm-guest",
+    ];
+    if !cargo_build(&root(), &products, &package)?.success() {
+        return Err("the guest without threads cannot be built".into());
+    }
+    let program = products.join("release/stickslip-wasm-guest");
+    let output = Command::new(program.with_extension(std::env::consts::EXE_EXTENSION)).output()?;
+    if !output.status.success() {
+        return Err(format!("the guest without threads ends with {}", output.status).into());
+    }
+    let bits = |number: &f64| format!("{:016x}", number.to_bits());
+    let own: Vec<String> = guest::numbers().iter().map(bits).collect();
+    let text = String::from_utf8(output.stdout)?;
+    let others: Vec<&str> = text.lines().collect();
+    let equal = own.iter().zip(&others).filter(|(own, other)| own == other);
+    let (count, equal) = (own.len(), equal.count());
+    if own.is_empty() || count != others.len() || equal != count {
+        return Err(format!(
+            "without threads {equal} of {count} numbers have the same bits, and there are {}",
+            others.len()
+        )
+        .into());
+    }
+    Ok(format!(
+        "without threads {count} numbers have the same bits"
+    ))
 }
 
 /// Runs the module and compares its laws and numbers with those of this program.

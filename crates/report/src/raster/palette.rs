@@ -25,8 +25,8 @@ pub(super) fn reduced(pixels: &[PremultipliedColorU8], width: usize) -> Image {
     let (occurring, runs) = counted(pixels);
     let (palette, nearest) = chosen(&occurring);
     let mut indices = Vec::with_capacity(pixels.len());
-    for (number, length) in runs {
-        indices.resize(indices.len() + length, nearest[number]);
+    for run in runs {
+        indices.resize(indices.len() + run.pixels, nearest[run.color]);
     }
     Image {
         width,
@@ -36,9 +36,15 @@ pub(super) fn reduced(pixels: &[PremultipliedColorU8], width: usize) -> Image {
     }
 }
 
-/// The colours in the order in which they are met, with how many pixels have each, and the runs of pixels of one colour: its number among
-/// them, and the length.
-fn counted(pixels: &[PremultipliedColorU8]) -> (Vec<(Color, u32)>, Vec<(usize, usize)>) {
+/// Neighbours of one colour.
+struct Run {
+    /// Its place among those that occur.
+    color: usize,
+    pixels: usize,
+}
+
+/// The colours in the order in which they are met, with how many pixels have each, and the runs of them.
+fn counted(pixels: &[PremultipliedColorU8]) -> (Vec<(Color, u32)>, Vec<Run>) {
     let mut occurring: Vec<(Color, u32)> = Vec::new();
     let mut runs = Vec::new();
     let mut known: HashMap<u32, usize, FixedState> = HashMap::default();
@@ -52,7 +58,10 @@ fn counted(pixels: &[PremultipliedColorU8]) -> (Vec<(Color, u32)>, Vec<(usize, u
                 occurring.len() - 1
             });
         occurring[number].1 += run.len() as u32;
-        runs.push((number, run.len()));
+        runs.push(Run {
+            color: number,
+            pixels: run.len(),
+        });
     }
     (occurring, runs)
 }
