@@ -62,8 +62,8 @@ pub struct FieldPlot<'a> {
     pub mirror: Option<[f64; 3]>,
     /// A value along which a line is drawn.
     pub contour: Option<f64>,
-    /// Whether the places of the least and the largest value are written, which those of displaced nodes are not.
-    pub show_places: bool,
+    /// What stands below the title instead of the least and the largest value with their places.
+    pub stated: Option<String>,
     /// Largest width of the whole figure \[px\].
     pub width: f64,
 }
@@ -92,7 +92,7 @@ impl<'a> FieldPlot<'a> {
             draw_mesh: false,
             mirror: None,
             contour: None,
-            show_places: true,
+            stated: None,
             width: 720.0,
         }
     }
@@ -146,10 +146,11 @@ impl<'a> FieldPlot<'a> {
         self
     }
 
-    /// Says that nodes are displaced: the least and the largest value are written without their places.
+    /// States `text` instead of the least and the largest value with their places: of displaced nodes these are not those of the body, and
+    /// values may have no limit.
     #[must_use]
-    pub fn displaced(mut self) -> Self {
-        self.show_places = false;
+    pub fn stating(mut self, text: impl Into<String>) -> Self {
+        self.stated = Some(text.into());
         self
     }
 

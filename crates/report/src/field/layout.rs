@@ -49,11 +49,10 @@ impl Layout {
             extent,
             bar_axis,
             range,
-            stated: describe(
-                extremes,
-                &unit(&plot.label),
-                plot.show_places.then_some(extent),
-            ),
+            stated: match &plot.stated {
+                Some(text) => text.clone(),
+                None => describe(extremes, &unit(&plot.label), extent),
+            },
         };
         // Ticks and margins depend on each other: each pass has the margins of the last.
         let guess = Margins {
@@ -141,21 +140,17 @@ fn unit(label: &str) -> String {
     named.map_or_else(String::new, |(unit, _)| format!(" {unit}"))
 }
 
-/// The least and largest value as text with `unit`, within `extent` with their places, to a ten-thousandth of the picture or finer; empty if
-/// there are none.
-fn describe(extremes: Option<&[[f64; 3]; 2]>, unit: &str, extent: Option<[Span; 2]>) -> String {
+/// The least and largest value as text with `unit` and their places, to a ten-thousandth of `extent` or finer; empty if there are none.
+fn describe(extremes: Option<&[[f64; 3]; 2]>, unit: &str, extent: [Span; 2]) -> String {
     let Some([least, largest]) = extremes else {
         return String::new();
     };
     let place = |[x, y, _]: &[f64; 3]| {
-        let [dx, dy] = extent?.map(|span| span.high - span.low);
+        let [dx, dy] = extent.map(|span| span.high - span.low);
         let grain = 10_f64.powf((1e-4 * dx.max(dy)).log10().floor());
         let coordinate = |value: f64| significant((value / grain).round() * grain, 4);
-        Some(format!(" at ({}, {})", coordinate(*x), coordinate(*y)))
+        format!("at ({}, {})", coordinate(*x), coordinate(*y))
     };
-    let stated = |node: &[f64; 3]| {
-        let at = place(node).unwrap_or_default();
-        format!("{}{unit}{at}", significant(node[2], 4))
-    };
+    let stated = |node: &[f64; 3]| format!("{}{unit} {}", significant(node[2], 4), place(node));
     format!("min {}, max {}", stated(least), stated(largest))
 }

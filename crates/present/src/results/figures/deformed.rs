@@ -113,11 +113,13 @@ impl<'a> Shape<'a> {
             &cells,
             &values,
         )
-        .subtitle(format!("Von Mises stress at {}", load.step_text(self.step)))
-        .displaced();
-        let own = results.steps[self.step].stresses.iter();
-        let own = own.clone().find(|own| own.body == self.fields.body);
+        .subtitle(format!("Von Mises stress at {}", load.step_text(self.step)));
+        let mut own = results.steps[self.step].stresses.iter();
+        let own = own.find(|own| own.body == self.fields.body);
         let largest = own.map(|own| units.stress.from_base(own.von_mises.stress));
+        plot = plot.stating(largest.map_or_else(String::new, |largest| {
+            format!("max {} {unit} away from supports", significant(largest, 4))
+        }));
         if let Some(largest) = largest.filter(|largest| *largest > 0.0) {
             plot = plot.between(0.0, largest);
         }
