@@ -47,7 +47,7 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of the three `[1]`.
+    /// The largest of the three `[1]`; NaN if one is.
     pub fn largest(&self) -> f64 {
         // `max` would drop a NaN; a sum keeps it.
         let sum = self.complementarity + self.cone + self.balance;

@@ -37,10 +37,11 @@ fn bend([x, y]: Point) -> Point {
 
 #[test]
 fn every_kind_keeps_the_contract() {
-    struct Contract;
+    struct Contract(ElementKind);
     impl KindVisitor for Contract {
         type Output = ();
         fn visit<const N: usize, E: Element<N>>(self) {
+            assert_eq!(E::KIND, self.0, "the element of another kind");
             nodal_values_interpolate::<N, E>();
             linear_fields_are_reproduced::<N, E>();
             gradients_match_differences::<N, E>();
@@ -54,7 +55,7 @@ fn every_kind_keeps_the_contract() {
         }
     }
     for kind in ElementKind::ALL {
-        with_element(kind, Contract);
+        with_element(kind, Contract(kind));
     }
 }
 

@@ -120,9 +120,4 @@ impl JointHistory {
     pub fn first_failure(&self) -> Option<&PlyEvent> {
         self.events().find(|event| event.is_failure())
     }
-
-    /// The last record of each load step that was followed to its end.
-    pub fn step_records(&self) -> impl Iterator<Item = &JointRecord> {
-        self.records.iter().filter(|record| record.reached >= 1.0)
-    }
 }

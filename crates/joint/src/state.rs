@@ -8,7 +8,7 @@ use crate::body::JointBody;
 /// A joint at the end of an accepted increment.
 #[derive(Clone, Debug)]
 pub struct JointState {
-    /// Multipliers of the load cases.
+    /// Multipliers of the load cases `[1]`, one for each.
     pub multipliers: Vec<f64>,
     /// Contact. Its own multipliers have one entry more, that of the correction of linearised bodies.
     pub contact: ContactState,

@@ -207,7 +207,13 @@ impl Changes<'_> {
             | Stated::ResultantX
             | Stated::ResultantY => results.normal_force,
             Stated::FrictionWork => results.friction_work,
-            _ => 1.0,
+            Stated::ContactExtent
+            | Stated::StickExtent
+            | Stated::Bearing
+            | Stated::PeakPressurePlace
+            | Stated::PeakHoopPlace
+            | Stated::SlipAway
+            | Stated::SlipTowards => 1.0,
         };
         (scale > 0.0).then_some(scale)
     }

@@ -139,12 +139,13 @@ impl Truth {
 
 const OUTSIDE: u32 = u32::MAX;
 
-/// Places found in a mesh.
+/// Places found in a mesh, for values there of any nodal field.
 #[derive(Clone, Debug)]
 pub struct Sampling {
     /// Most nodes of a cell, the stride of the weights.
     nodes: usize,
     cells: Vec<u32>,
+    /// Shape functions `[1]` of the cell at each place, `nodes` of them for each.
     weights: Vec<f64>,
     mirrored: Vec<bool>,
 }

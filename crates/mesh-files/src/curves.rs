@@ -134,9 +134,10 @@ pub struct PutOnCircle {
     pub moved: usize,
 }
 
-/// Moves all nodes of each of the edge sets `names`, closed chains, onto the circle of least squares through its corner nodes ([`nearly_circle`]), and stores the circles in the sets: where
-/// they are known to be some, although their file does not give them to the digits that [`recognise_set`] asks for. `radii` are those of the circles, in the order of `names`, where they are
-/// known; without any they are those of the fits.
+/// Moves all nodes of each of the edge sets `names`, closed chains, onto the circle of least squares through its corner nodes
+/// ([`nearly_circle`]), and stores the circles in the sets: for edges that are known to be circles, although their file does not give them to the
+/// digits that [`recognise_set`] asks for. `radii` `[length]` are those of the circles, one for each of `names`, or empty: then they are those of
+/// the fits. Returns one entry for each of `names`.
 ///
 /// # Errors
 /// [`CurveError::MissingSet`]; [`CurveError::NoChain`] if the edges of a set do not form one chain; [`CurveError::Open`]; [`CurveError::NoCircle`]; [`CurveError::Radii`]; [`CurveError::Twice`];

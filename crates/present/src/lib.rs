@@ -41,6 +41,8 @@ pub mod results;
 /// The crate whose values summaries are.
 pub use serde_json;
 /// The crates of meshes, scenes, results, findings and figures that tables, pages and errors show.
-pub use {stickslip_engine, stickslip_fem_core, stickslip_report, stickslip_scene};
+pub use {
+    stickslip_engine, stickslip_fem_core, stickslip_mesh_files, stickslip_report, stickslip_scene,
+};
 
 pub use stickslip_report::PutFile;

@@ -52,15 +52,33 @@ impl EdgeResults {
         if geometry.kind != EdgeKind::Line {
             return;
         }
-        let peaks = [&mut self.peak_pressure, &mut self.peak_hoop];
-        for (_, at) in peaks.into_iter().flatten() {
+        // Every field is named, so that a new one is either moved here or said to be no place.
+        let Self {
+            rows: _,
+            zones,
+            contact_half_extent: _,
+            bearing,
+            stick_half_extent: _,
+            slip_lengths: _,
+            peak_pressure,
+            peak_hoop,
+            peak_hoop_uncertainty: _,
+            hoop_at_bearing_point: _,
+            resultant: _,
+            friction_force: _,
+            normal_force: _,
+            friction_work: _,
+            errors: _,
+            row_errors: _,
+        } = self;
+        for (_, at) in [peak_pressure, peak_hoop].into_iter().flatten() {
             *at += by;
         }
-        for zone in &mut self.zones {
+        for zone in zones {
             zone.start += by;
             zone.end += by;
         }
-        if let Some(at) = &mut self.bearing {
+        if let Some(at) = bearing {
             *at += by;
         }
     }

@@ -15,7 +15,7 @@ pub enum Material {
     Isotropic {
         /// Young's modulus `[MPa]`.
         young: f64,
-        /// Poisson's ratio.
+        /// Poisson's ratio `[1]`.
         poisson: f64,
         /// Coefficient of thermal expansion `[1/K]`.
         expansion: f64,
@@ -24,9 +24,9 @@ pub enum Material {
     },
     /// Three planes of symmetry.
     Orthotropic {
-        /// In-plane constants `[MPa]`.
+        /// In-plane constants: moduli `[MPa]` and Poisson's ratio `[1]`.
         constants: OrthotropicConstants,
-        /// Direction of the 1-axis `[rad]`.
+        /// Direction of the 1-axis, counter-clockwise from +x `[rad]`.
         angle: f64,
         /// Coefficients of thermal expansion along 1 and 2 `[1/K]`.
         expansion: [f64; 2],

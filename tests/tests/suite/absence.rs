@@ -218,7 +218,6 @@ const INSIDE: &[(&str, &[&str])] = &[
             "scene",
         ],
     ),
-    ("stickslip-mesh-files", &["present"]),
     // Their own interface takes scenes and results, whose crates re-export these.
     ("stickslip-contact", &["ladder", "present"]),
     ("stickslip-fem-core", &["experiment-pages"]),

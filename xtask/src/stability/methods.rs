@@ -53,3 +53,22 @@ pub(crate) fn methods() -> Vec<Method> {
 pub(crate) fn is_too_large(cause: &FailureCause) -> bool {
     matches!(cause, FailureCause::TooManyPoints { .. })
 }
+
+#[cfg(test)]
+mod tests {
+    use stickslip_contact::solver::SOLVERS;
+
+    use super::methods;
+
+    #[test]
+    fn every_listed_method_is_under_test() {
+        let tested: Vec<&str> = methods().iter().map(|own| own.solver.name()).collect();
+        for method in SOLVERS
+            .iter()
+            .flat_map(|solver| solver.method.split(", then "))
+        {
+            let is_tested = tested.iter().any(|name| method.contains(name));
+            assert!(is_tested, "{method} is not among {tested:?}");
+        }
+    }
+}

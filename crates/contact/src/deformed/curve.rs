@@ -135,7 +135,7 @@ impl Curve {
         (self.ends == CurveEnds::Closed).then_some(TAU)
     }
 
-    /// Its nodes, as indices among the contact points of its body.
+    /// The nodes of the curve along its parameter, at least 2, as indices among the contact points of its body.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
     }

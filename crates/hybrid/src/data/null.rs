@@ -158,10 +158,12 @@ pub struct Difference {
 
 impl FringeLines {
     /// What the load has added: these orders minus those of the initial load `null`, which are interpolated along the line of the
-    /// same name. Standard deviations add as √(σ² + σ₀²) at most.
+    /// same name `[fringes]`. Of independent centres with the standard deviations σ here and σ₀ there, the differences have at most
+    /// √(σ² + σ₀²), because an order between two centres is a mean of theirs.
     ///
     /// # Errors
-    /// [`DataError`]: fields of two directions, a line that `null` has not, a line of which fewer than 2 centres remain.
+    /// [`DataError::Fields`] for fields of two directions, [`DataError::NoSuchLine`] for a line that `null` has not,
+    /// [`DataError::Apart`] for one of which fewer than 2 centres remain.
     pub fn minus(&self, null: &Self) -> Result<Difference, DataError> {
         if self.field != null.field {
             return Err(DataError::Fields {

@@ -85,7 +85,8 @@ pub struct Observation {
 }
 
 impl Observation {
-    /// All valid components of a measurement, independent with its standard deviation.
+    /// All valid components of a measurement, independent with its standard deviations: for each valid place x before y. `state` names the
+    /// measurement in messages; `step` is the load step, from 0, in which it was made.
     pub fn of_measurement(state: &str, step: usize, measured: &Measurement) -> Self {
         let mut own = Self {
             state: state.to_owned(),

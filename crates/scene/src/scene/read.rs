@@ -39,8 +39,8 @@ impl Scene {
         Self::from_text_on(text, format, name, base_dir, overrides, Host::NONE)
     }
 
-    /// As [`from_text`](Self::from_text), with data files of `host`, looked for in `base_dir`; they and the model may take no more than its
-    /// limits.
+    /// As [`from_text`](Self::from_text), with `host` for data files, which are looked for in `base_dir`. Data and model may take no more than
+    /// the limits of `host`. Each of `overrides` is `key=value`, as after `--set`.
     ///
     /// # Errors
     /// As [`Scene::from_file`].

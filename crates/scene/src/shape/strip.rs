@@ -69,11 +69,11 @@ impl Keys {
 pub struct Strip {
     /// Radius of the hole `[mm]`.
     pub hole_radius: f64,
-    /// `[mm]`
+    /// Half of its width, from the centre of the hole to either side `[mm]`.
     pub half_width: f64,
-    /// `[mm]`
+    /// From the centre of the hole to the end at negative x `[mm]`.
     pub left: f64,
-    /// `[mm]`
+    /// From the centre of the hole to the end at positive x `[mm]`.
     pub right: f64,
 }
 

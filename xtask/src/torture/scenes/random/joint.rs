@@ -2,8 +2,8 @@
 
 use serde_json::json;
 
-use super::Draft;
 use super::materials::Made;
+use super::{Draft, laws};
 use crate::torture::scenes::draw::digits;
 use crate::torture::scenes::quantity::{deg, mm};
 
@@ -156,7 +156,7 @@ impl Draft {
             "name": second.name,
             "first": format!("{}.hole", first.name),
             "second": format!("{}.{set}", second.name),
-            "friction": self.law(sizes.stress, sizes.slip, plies),
+            "friction": laws::law(&mut self.draw, sizes.stress, sizes.slip, plies),
         });
         if radii[1] > radii[0] {
             contact["interference"] = json!(true);

@@ -2,44 +2,40 @@
 
 use serde_json::{Value, json};
 
-use super::Draft;
 use crate::torture::scenes::draw::{Draw, digits};
 use crate::torture::scenes::quantity::{deg, mm, mpa};
 
-impl Draft {
-    /// A law for a contact whose pressures are about `stress` `[MPa]` and slips about `slip` `[mm]`; of a laminate's edge if `plies`.
-    pub(super) fn law(&mut self, stress: f64, slip: f64, plies: bool) -> Value {
-        if !self.draw.chance(0.14) {
-            return simple(&mut self.draw, stress, slip);
-        }
-        let draw = &mut self.draw;
-        let mut law = json!({
-            "fibre_fraction": draw.between(0.1, 0.7),
-            "fibre": simple(draw, stress, slip),
-            "matrix": simple(draw, stress, slip),
-        });
-        law["kernel"] = if draw.chance(0.6) {
-            json!({ "tangent": { "width": deg(draw.between(5.0, 50.0)) } })
-        } else {
-            json!({ "swept": { "kappa": draw.between(0.1, 1.5) } })
-        };
-        if !plies || draw.chance(0.3) {
-            let share = draw.between(0.2, 0.8);
-            let angle = draw.between(-85.0, 85.0).round();
-            law["plies"] = match draw.weighted(&[(0.3, 0), (0.3, 1), (0.4, 2)]) {
-                0 => json!([{ "angle": deg(angle), "fraction": 1.0 }]),
-                1 => json!([
-                    { "angle": deg(angle), "fraction": 0.5 },
-                    { "angle": deg(-angle), "fraction": 0.5 },
-                ]),
-                _ => json!([
-                    { "angle": deg(angle), "fraction": share },
-                    { "angle": deg(0.0), "fraction": digits(1.0 - share, 6) },
-                ]),
-            };
-        }
-        json!({ "fibre_coverage": law })
+/// A law for a contact whose pressures are about `stress` `[MPa]` and slips about `slip` `[mm]`; of a laminate's edge if `plies`.
+pub(super) fn law(draw: &mut Draw, stress: f64, slip: f64, plies: bool) -> Value {
+    if !draw.chance(0.14) {
+        return simple(draw, stress, slip);
     }
+    let mut law = json!({
+        "fibre_fraction": draw.between(0.1, 0.7),
+        "fibre": simple(draw, stress, slip),
+        "matrix": simple(draw, stress, slip),
+    });
+    law["kernel"] = if draw.chance(0.6) {
+        json!({ "tangent": { "width": deg(draw.between(5.0, 50.0)) } })
+    } else {
+        json!({ "swept": { "kappa": draw.between(0.1, 1.5) } })
+    };
+    if !plies || draw.chance(0.3) {
+        let share = draw.between(0.2, 0.8);
+        let angle = draw.between(-85.0, 85.0).round();
+        law["plies"] = match draw.weighted(&[(0.3, 0), (0.3, 1), (0.4, 2)]) {
+            0 => json!([{ "angle": deg(angle), "fraction": 1.0 }]),
+            1 => json!([
+                { "angle": deg(angle), "fraction": 0.5 },
+                { "angle": deg(-angle), "fraction": 0.5 },
+            ]),
+            _ => json!([
+                { "angle": deg(angle), "fraction": share },
+                { "angle": deg(0.0), "fraction": digits(1.0 - share, 6) },
+            ]),
+        };
+    }
+    json!({ "fibre_coverage": law })
 }
 
 fn coefficient(draw: &mut Draw) -> f64 {
@@ -81,5 +77,25 @@ fn simple(draw: &mut Draw, stress: f64, slip: f64) -> Value {
             "reference_pressure": mpa(digits(stress * draw.magnitude(0.1, 10.0), 4)),
             "exponent": draw.between(0.5, 1.0),
         } }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::law;
+    use crate::torture::draw::Draw;
+
+    #[test]
+    fn every_registered_law_is_drawn() {
+        let mut draw = Draw::seeded(1);
+        let drawn = (0..500).filter_map(|_| {
+            let law = law(&mut draw, 100.0, 1e-3, true);
+            law.as_object()?.keys().next().cloned()
+        });
+        let drawn: BTreeSet<String> = drawn.collect();
+        let registered = stickslip_friction::laws().map(|law| law.name.to_owned());
+        assert_eq!(drawn, registered.collect());
     }
 }

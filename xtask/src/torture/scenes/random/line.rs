@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::Draft;
+use super::{Draft, laws};
 use crate::torture::scenes::draw::digits;
 use crate::torture::scenes::quantity::mm;
 
@@ -38,7 +38,8 @@ impl Draft {
             self.bodies.insert(name.to_owned(), body);
         }
         let share = self.draw.magnitude(1e-5, 3e-3);
-        let law = self.law(share * softest, share * half, self.is_laminate("upper"));
+        let plies = self.is_laminate("upper");
+        let law = laws::law(&mut self.draw, share * softest, share * half, plies);
         let mut contact = json!({
             "name": "line", "first": "upper.contact", "second": "lower.contact", "friction": law,
         });

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::Draft;
+use super::{Draft, laws};
 use crate::torture::scenes::draw::digits;
 use crate::torture::scenes::quantity::{deg, mm};
 
@@ -80,7 +80,7 @@ impl Draft {
                 "material": "pin", "thickness": mm(thickness), "shape": { "disk": { "radius": mm(fitted) } },
             }),
         );
-        let law = self.law(stress, slip, false);
+        let law = laws::law(&mut self.draw, stress, slip, false);
         self.contacts.push(json!({
             "name": name, "first": format!("sheet.hole-{k}"), "second": format!("{name}.rim"), "friction": law,
         }));
@@ -118,7 +118,7 @@ impl Draft {
             self.bodies.insert(name.into(), body);
         }
         let share = self.draw.magnitude(1e-6, 1e-3);
-        let law = self.law(share * softest, share * reach, false);
+        let law = laws::law(&mut self.draw, share * softest, share * reach, false);
         self.contacts.push(json!({
             "name": "face", "first": "punch.face", "second": "block.top", "friction": law,
         }));
