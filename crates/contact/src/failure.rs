@@ -115,7 +115,7 @@ pub enum FailureCause {
         limit: usize,
     },
     /// The compliance is held in blocks, and the solver works on one matrix.
-    #[error("it works on one matrix, and the compliance of {points} points is held in blocks")]
+    #[error("it needs one compliance matrix, but that of {points} points is held in blocks")]
     Blocks {
         /// Number of points.
         points: usize,

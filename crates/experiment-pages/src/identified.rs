@@ -187,7 +187,7 @@ fn describe_static(experiment: &Experiment, identified: &Identified, confidence:
     }
     let stuck = identified.grip.is_some() && identified.dynamic.is_some();
     let text = if stuck {
-        "not identifiable: at least μd, and nothing sticks beyond doubt at a larger ratio than slip has"
+        "not identifiable: at least μd, and no point certainly sticks at a larger ratio of tractions than points that slip have"
     } else {
         "not identifiable: nothing that clearly sticks beside a slip zone is wide enough"
     };

@@ -135,7 +135,7 @@ pub(super) fn of_pictures(finding: &PictureFinding) -> String {
              the mean strain of the plate."
         ),
         PictureFinding::PixelsApart { field, pixels } => format!(
-            "{pixels} pixels of the {field} field hang together with no pixel of the largest region; their whole orders are not known, and \
+            "{pixels} pixels of the {field} field are not connected to the largest region; their whole orders are not known, and \
              they are masked."
         ),
         PictureFinding::Unwrapping { fields } => {

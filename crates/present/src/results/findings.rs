@@ -62,8 +62,8 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             residual,
             usual,
         } => format!(
-            "Forces balance to {residual:.1e} of the load only in {}, where {usual:.0e} is usual: rounding has taken digits \
-             from the results, which may be off by thirty times that part. Cells many times longer than wide, bodies many times longer \
+            "Forces balance to {residual:.1e} of the load only in {}, where {usual:.0e} is usual: rounding errors \
+             are larger than usual, and results may be off by thirty times that part. Cells many times longer than wide, bodies many times longer \
              than their contact, and thermal strains far above those of the load cause it.",
             load_steps(steps)
         ),
@@ -77,7 +77,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             units.length.show(distance.value())
         ),
         Finding::PointSupports { bodies } => format!(
-            "Elastic bodies held at a single point: {}. Other supports share the load, and a point gives way by an amount that grows with every \
+            "Elastic bodies held at a single point: {}. Other supports share the load, and the displacement of a point grows with every \
              finer mesh, so load shares depend on the mesh. Hold a pin over its section (on = \"{}.section\").",
             quoted(bodies),
             bodies.first().map_or("pin", String::as_str)
@@ -151,7 +151,7 @@ fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
             "a finer model does not fit in the budget: raise analysis.budget, beside analysis.accuracy"
         }
         LadderEnd::Pinned => {
-            "the scene pins its model: leave out its mesh or contact_nodes, or divide it more finely"
+            "the scene prescribes its model: leave out its mesh or contact_nodes, or divide it more finely"
         }
         LadderEnd::Reached | LadderEnd::Finest | LadderEnd::Unchecked => {
             "no finer model is tried: ask for less, or for the numbers that matter (analysis.accuracy = { peak_pressure = … })"

@@ -285,7 +285,7 @@ fn sentences_hold_steps_parts_and_display_units() {
         "No error is stated for the peak pressure and the peak tangential stress of contact 'pin' in load steps 2, 5: friction jumps",
         "A corner presses at s = 1 in of contact 'pin' in load steps 2, 5:",
         "Contact 'pin' ends at x = -1 in in load step 2, beyond the fine part of its mesh, which ends at ±0.5 in:",
-        "The bearing point of contact 'pin' wanders: it is at θ = −28.6° in load step 2 and at θ = 180.0° in load step 3, where the contact force is largest. Angles φ are counted from the latter;",
+        "The bearing point of contact 'pin' moves: it is at θ = −28.6° in load step 2 and at θ = 180.0° in load step 3, where the contact force is largest. Angles φ are counted from the latter;",
         "crack_band.fibre_tension has no effect on this mesh: it lowers strengths in rows of points wider than 1 in, that is in cells larger than 2 in; the largest cell has 0.5 in.",
         "Plies of 'a', 'b' do not fail here: one body is followed.",
     ] {

@@ -217,7 +217,7 @@ fn wanders(
         }
     });
     format!(
-        "The bearing point of contact '{name}' wanders: it is at {at} in load step {step} and at {largest_at} in load step {largest_step}, where the contact force is \
+        "The bearing point of contact '{name}' moves: it is at {at} in load step {step} and at {largest_at} in load step {largest_step}, where the contact force is \
          largest. {measured}; stick, slip and friction of a step refer to the step's own bearing point, which summary.json and \
          steps.csv give."
     )
