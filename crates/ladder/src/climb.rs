@@ -408,6 +408,8 @@ impl Climb<'_> {
         found.findings.extend(missed);
         let unchecked = geometry.failed.clone();
         (found.findings).extend(unchecked.map(|why| Finding::GeometryUnchecked { why }));
+        let left_out = geometry.left_out.clone();
+        (found.findings).extend(left_out.map(|why| Finding::GeometryLeftOut { why }));
         if last.model.request.failure.is_some() && geometry.failed.is_none() {
             let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));
             let before = failure::before(levels, self.models.solver());

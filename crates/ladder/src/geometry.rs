@@ -22,6 +22,8 @@ pub(super) struct Geometry {
     pub(super) is_chosen_deformed: bool,
     /// Why nothing is known of the deformed one, which has a model.
     pub(super) failed: Option<String>,
+    /// Why the deformed one has no model.
+    pub(super) left_out: Option<String>,
 }
 
 impl Geometry {
@@ -32,6 +34,7 @@ impl Geometry {
         Self {
             reason: format!("no error states what deformed gaps would change: {why}"),
             failed: fails.then(|| why.to_string()),
+            left_out: (!fails).then(|| why.to_string()),
             ..Self::default()
         }
     }

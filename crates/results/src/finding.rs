@@ -127,6 +127,11 @@ pub enum Finding {
         /// Why no finer model was tried.
         end: LadderEnd,
     },
+    /// What gaps on the deformed geometry would change is in no stated error, because the model has none there.
+    GeometryLeftOut {
+        /// Why it has none.
+        why: String,
+    },
     /// What gaps on the deformed geometry would change is not known, and no errors are stated.
     GeometryUnchecked {
         /// Why the model on the deformed geometry gave no answer.

@@ -387,8 +387,19 @@ impl Builder<'_> {
     fn edges(&mut self, format: &SceneFormat) -> Vec<SetRef> {
         let mut edges = Vec::new();
         for (index, EdgeFormat { on }) in format.edges.iter().enumerate() {
-            let found = self.set(&format!("edges.{index}.on"), on, Fits::Edges);
-            edges.extend(found.filter(|set| !edges.contains(set)));
+            let key = format!("edges.{index}.on");
+            let Some(found) = self.set(&key, on, Fits::Edges) else {
+                continue;
+            };
+            if edges.contains(&found) {
+                self.conflict(
+                    &key,
+                    format!("{found} is listed twice"),
+                    "remove one of the two",
+                );
+            } else {
+                edges.push(found);
+            }
         }
         edges
     }

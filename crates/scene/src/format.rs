@@ -26,7 +26,7 @@ pub(super) use fasteners::{
 };
 pub(super) use laminate::{
     CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, LaminateFormat,
-    PlyFormat, StrengthsFormat,
+    PlyFormat, StrengthsFormat, default_interaction, default_shear_weight,
 };
 pub(super) use loads::{
     BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat, PressureFormat, TemperatureFormat,

@@ -56,6 +56,9 @@ pub(super) fn choose(
             _ if is_followed => {
                 Err("is in a joint whose failure is followed, which elements do".into())
             }
+            _ if is_projected(plan, index) => {
+                Err("has a contact with a mortar projection, which elements do".into())
+            }
             Some(ready) => Ok(ready),
             None if *asked == BodyModel::Series && is_line => Err(format!(
                 "is a {}, which model = \"half-plane\" can be",
@@ -98,6 +101,19 @@ pub(super) fn choose(
     }
     put(plan, made, explicit, choices);
     Ok(())
+}
+
+/// Whether a contact of the body with the index `index` asks for a mortar projection. Bodies by series share their nodes, which are graded for pairs: a projection over
+/// cells of such unequal widths makes pressures waver.
+fn is_projected(plan: &Plan<'_>, index: usize) -> bool {
+    plan.contacts.iter().any(|contact| {
+        let asked = contact.of.projection;
+        contact.sides.iter().any(|side| side.body == index)
+            && matches!(
+                asked,
+                ProjectionChoice::Mortar | ProjectionChoice::DualMortar
+            )
+    })
 }
 
 /// Whether `ready` has the nodes that the body with the index `index` wants.

@@ -97,9 +97,10 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              lap. It is stated as tilting moment and resisted by nothing here, so pressure is even across each plate and no plate gives by bending.",
             quoted(fasteners)
         ),
-        Finding::GeometryUnchecked { why } => format!(
-            "What the displacements change in the gaps is not known: the model on the deformed geometry gave no answer ({why}). No errors are stated; the loads may be too large for small displacements."
-        ),
+        Finding::GeometryLeftOut { why } => {
+            format!("Stated errors leave out what the displacements change in the gaps: {why}.")
+        }
+        Finding::GeometryUnchecked { why } => geometry_unchecked(why),
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, *end),
         Finding::ContactParts { steps } => format!(
             "In an increment of {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
@@ -143,6 +144,14 @@ fn as_loose(finding: &Finding) -> Option<(&str, &[usize])> {
         } => Some((contact, steps)),
         _ => None,
     }
+}
+
+fn geometry_unchecked(why: &str) -> String {
+    format!(
+        "What the displacements change in the gaps is not known: the model on the deformed geometry gave no answer ({why}). No errors are \
+         stated; the loads may be too large for small displacements. With analysis.kinematics = \"small\" the undeformed geometry is asked \
+         about, and has errors."
+    )
 }
 
 fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {

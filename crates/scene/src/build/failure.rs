@@ -8,8 +8,10 @@ use stickslip_laminate::{Degradation, FailureCriterion, FailureError};
 use super::{Builder, Materials, Surroundings};
 use crate::diagnostic::{LaminateProblem, SceneProblem};
 use crate::document::{Part, child};
+
 use crate::format::{
     CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, SceneFormat,
+    default_interaction, default_shear_weight,
 };
 use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Substance};
 use crate::shape::Role;
@@ -35,6 +37,7 @@ impl Builder<'_> {
             progressive: _,
         } = given;
         let criteria = self.criteria(given);
+        self.parameters_act(given);
         let bodies = self.failing_bodies(given, materials);
         self.strengths(given, &criteria, &bodies, materials);
         let characteristic = characteristic.as_ref().map(|distances| {
@@ -58,6 +61,34 @@ impl Builder<'_> {
             envelopes,
             progressive,
         })
+    }
+
+    /// Refuses parameters, other than their defaults, of criteria that nothing asks for.
+    fn parameters_act(&mut self, given: &FailureFormat) {
+        if given.progressive.is_some() {
+            // Its point model may have a criterion of its own.
+            return;
+        }
+        let parameters = [
+            (
+                "tsai_wu",
+                "tsai_wu_interaction",
+                given.tsai_wu_interaction != default_interaction(),
+            ),
+            (
+                "hashin",
+                "hashin_shear_weight",
+                given.hashin_shear_weight != default_shear_weight(),
+            ),
+        ];
+        for (criterion, key, is_given) in parameters {
+            if is_given && !given.criteria.iter().any(|name| name == criterion) {
+                let message =
+                    format!("{key} changes nothing: '{criterion}' is not among the criteria");
+                let remedy = format!("add \"{criterion}\" to failure.criteria, or remove {key}");
+                self.conflict(&format!("failure.{key}"), message, remedy);
+            }
+        }
     }
 
     fn criteria(&mut self, given: &FailureFormat) -> Vec<Arc<dyn FailureCriterion>> {

@@ -45,6 +45,17 @@ impl Builder<'_> {
                 bed,
             } = given;
             let on = self.set(&format!("{key}.on"), on, Fits::EdgesAndPoints);
+            let twice = fix
+                .as_deref()
+                .filter(|fix| matches!(fix, [one, other] if one == other));
+            if twice.is_some() {
+                let message = "one direction is named twice";
+                self.conflict(
+                    &format!("{key}.fix"),
+                    message,
+                    "write [\"x\"], [\"y\"] or [\"x\", \"y\"]",
+                );
+            }
             let hold = hold(fix.as_deref(), normal.as_ref());
             if stiffness.is_some() || bed.is_some() {
                 let size = self.spring_size(&key, given, on.as_ref());

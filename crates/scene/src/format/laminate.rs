@@ -105,10 +105,10 @@ impl Default for EnvelopesFormat {
     }
 }
 
-const fn default_interaction() -> f64 {
+pub(crate) const fn default_interaction() -> f64 {
     -0.5
 }
 
-const fn default_shear_weight() -> f64 {
+pub(crate) const fn default_shear_weight() -> f64 {
     1.0
 }

@@ -100,7 +100,8 @@ impl Inside {
         local.phi += 0.5 * t1.re + linear * zeta;
         local.slope += linear;
         local.motion += kappa * (0.5 * t1.re * zeta + 0.5 * linear * zeta * zeta);
-        if t1.im != 0.0 {
+        // At the centre its mean over a small circle counts, which is none: a disk that is free to turn has a moment of rounding.
+        if t1.im != 0.0 && zeta.norm_sqr() > 0.0 {
             let turn = C64::new(0.0, t1.im);
             local.psi += turn / (zeta * zeta);
             local.motion += (turn / zeta).conj();
@@ -169,6 +170,25 @@ fn near(hats: &Hats, count: usize, zeta: C64, kappa: f64) -> Local {
 mod tests {
     use super::*;
     use crate::nodes::Nodes;
+
+    #[test]
+    fn a_moment_leaves_no_trace_at_the_centre() {
+        let nodes = Nodes::circle((0..20).map(|k| 0.31 * f64::from(k)).collect()).unwrap();
+        let values: Vec<C64> = (0..20)
+            .map(|k| C64::new(f64::from(k).sin(), f64::from(3 * k).cos()))
+            .collect();
+        let hats = Hats::new(&nodes, &values);
+        let inside = Inside::new(&hats, false, false);
+        assert_ne!(inside.modes[1].im, 0.0);
+        let centre = inside.at(&hats, C64::new(0.0, 0.0), 2.0).motion;
+        let around =
+            (0..8).map(|k| C64::from_polar(1e-6, f64::from(k) * std::f64::consts::FRAC_PI_4));
+        let mean = around
+            .map(|zeta| inside.at(&hats, zeta, 2.0).motion)
+            .sum::<C64>()
+            / 8.0;
+        assert!((centre - mean).norm() < 1e-8, "{centre} {mean}");
+    }
 
     #[test]
     fn both_ways_agree_where_they_meet() {

@@ -8,7 +8,7 @@ use stickslip_fem_core::BodyError;
 use stickslip_present::results::quoted;
 use stickslip_scene::Scene;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
-use stickslip_scene::schema::{BodyModel, Division};
+use stickslip_scene::schema::{BodyModel, Division, KinematicsChoice, SolverChoice};
 
 /// The error at the key that it is about, with a remedy.
 pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
@@ -230,6 +230,18 @@ fn against(scene: &Scene, moving: &[MovingBody]) -> String {
     )
 }
 
+/// What helps where a contact solver finds no answer.
+fn against_no_convergence(scene: &Scene) -> &'static str {
+    let analysis = &scene.analysis;
+    if analysis.kinematics == Some(KinematicsChoice::DeformedGaps) {
+        "find contact on the undeformed geometry (--set analysis.kinematics=small), or take smaller steps (--set analysis.substeps=4)"
+    } else if analysis.solver == SolverChoice::Auto {
+        "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)"
+    } else {
+        "take smaller steps (--set analysis.substeps=4), or leave analysis.solver out, which tries several"
+    }
+}
+
 /// The error at the key of the scene that it is about.
 pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
     let (key, remedy) = match error {
@@ -259,14 +271,10 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
                 },
             );
         }
-        RunError::Contact(ContactError::StepFailed { bodies, .. }) => (
-            key_of_drive(scene, bodies),
-            "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)",
-        ),
-        RunError::Contact(_) => (
-            "loads".to_owned(),
-            "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)",
-        ),
+        RunError::Contact(ContactError::StepFailed { bodies, .. }) => {
+            (key_of_drive(scene, bodies), against_no_convergence(scene))
+        }
+        RunError::Contact(_) => ("loads".to_owned(), against_no_convergence(scene)),
         RunError::Failure { .. } => (
             "failure".to_owned(),
             "choose other criteria, remove failure.envelopes, or check the strengths of the plies",

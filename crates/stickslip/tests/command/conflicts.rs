@@ -35,6 +35,20 @@ fn a_second_platen_of_a_body() {
     );
 }
 
+#[test]
+fn what_is_named_twice() {
+    refused(
+        "fix = [\"x\", \"y\"]",
+        "fix = [\"x\", \"x\"]",
+        &["one direction is named twice", "supports.0.fix"],
+    );
+    refused(
+        "[[loads]]",
+        "[[edges]]\non = \"plate.top\"\n[[edges]]\non = \"plate.top\"\n[[loads]]",
+        &["plate.top is listed twice", "remove one of the two"],
+    );
+}
+
 const LAP: &str = include_str!("../../../../scenes/single-lap.toml");
 
 /// The only finding of the single lap with `tail`.

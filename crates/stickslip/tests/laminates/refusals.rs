@@ -150,6 +150,11 @@ fn questions() {
     );
     refused(
         PIN,
+        "failure={ criteria = [\"hashin\"], tsai_wu_interaction = -0.3 }",
+        &["'tsai_wu' is not among the criteria"],
+    );
+    refused(
+        PIN,
         "failure.criteria=[\"max_strain\"]",
         &[
             "max_strain",

@@ -176,6 +176,35 @@ fn without_the_deformed_geometry_no_error_is_stated() {
     assert!(edge.row_errors.is_empty());
 }
 
+/// Where there is no model on the deformed geometry, errors are stated, and it is said what they leave out.
+#[test]
+fn errors_say_that_they_leave_out_the_deformed_geometry() {
+    let text = PIN.replace("substeps = 1\n", "");
+    let reasons = |projection: &str| {
+        let results = solved(
+            &text,
+            &[
+                projection,
+                "mesh.spacing=6 deg",
+                "analysis.kinematics=auto",
+                "analysis.accuracy=\"40 %\"",
+            ],
+        );
+        let errors = &results.steps[0].edges[0].errors;
+        assert!(errors.get(Stated::PeakPressure).is_some());
+        let why = results.findings.into_iter().filter_map(|own| match own {
+            Finding::GeometryLeftOut { why } => Some(why),
+            _ => None,
+        });
+        why.collect::<Vec<_>>()
+    };
+    assert!(reasons("contacts.0.projection=nodes").is_empty());
+    let [why] = &reasons("contacts.0.projection=mortar")[..] else {
+        panic!("one reason")
+    };
+    assert!(why.contains("mortar projection"), "{why}");
+}
+
 /// An elliptic nose on a flat, without friction: two meshes may have the same peak by chance, which is not its error.
 #[test]
 fn a_peak_on_which_two_meshes_agree_has_an_error() {
