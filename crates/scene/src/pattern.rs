@@ -27,6 +27,21 @@ pub(crate) fn is_copied(document: &Document, key: &str) -> bool {
     let mut tables = ends.map(|end| &key[..end]);
     key.split('.').any(|name| name == "pattern")
         || tables.any(|table| document.get(&child(table, "pattern")).is_some())
+        || is_of_copied_fastener(document, key)
+}
+
+/// Whether `key` is one of a fastener whose slices are copied.
+fn is_of_copied_fastener(document: &Document, key: &str) -> bool {
+    let Some(name) = (key.strip_prefix("fasteners.")).and_then(|rest| rest.split('.').next())
+    else {
+        return false;
+    };
+    let slices = document.get(&child(&child("fasteners", name), "slices"));
+    let slices = slices.and_then(Value::as_array).into_iter().flatten();
+    slices.filter_map(Value::as_str).any(|body| {
+        let pattern = child(&child("bodies", body), "pattern");
+        document.get(&pattern).is_some()
+    })
 }
 
 /// Writes out all patterns of a scene.

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use crate::document::Format;
 use crate::scene::Scene;
+use crate::schema::Springs;
 
 const HEAD: &str = r#"
 version = 1
@@ -272,4 +273,71 @@ fn patterns_that_do_not_fit_are_refused_where_they_stand() {
         assert!(message.contains(part), "{to}: {message}");
         assert!(message.starts_with("a.toml:"), "{message}");
     }
+}
+
+/// Two bolts through three plates, written once.
+fn lap() -> String {
+    let mut text = "version = 1\n[materials.metal.isotropic]\nyoung = \"70 GPa\"\npoisson = 0.3\n[mesh]\nspacing = \"6 deg\"\n".to_owned();
+    for plate in ["one", "two", "three"] {
+        text += &format!(
+            r#"
+[bodies.{plate}]
+material = "metal"
+thickness = "3 mm"
+[bodies.{plate}.shape.outline]
+start = ["-20 mm", "-15 mm"]
+edges = [
+    {{ name = "low", to = ["50 mm", "-15 mm"] }}, {{ name = "end", to = ["50 mm", "15 mm"] }},
+    {{ name = "high", to = ["-20 mm", "15 mm"] }}, {{ name = "near" }},
+]
+holes.hole = {{ centre = ["0 mm", "0 mm"], radius = "4 mm", pattern = {{ columns = 2, pitch = ["28 mm", "0 mm"] }} }}
+[bodies.slice-{plate}]
+material = "metal"
+thickness = "3 mm"
+shape.disk.radius = "3.98 mm"
+pattern = {{ columns = 2 }}
+[[contacts]]
+name = "{plate}"
+first = "{plate}.hole"
+second = "slice-{plate}.rim"
+friction.coulomb.mu = 0.1
+"#
+        );
+    }
+    text + r#"
+[fasteners.bolt]
+slices = ["slice-one", "slice-two", "slice-three"]
+springs.beam = { head = "clamped", nut = "clamped" }
+[[supports]]
+on = "one.near"
+fix = ["x", "y"]
+[[supports]]
+on = "three.near"
+fix = ["x", "y"]
+[[loads]]
+on = "two.end"
+force = { direction = [1, 0], steps = ["4 kN"] }
+"#
+}
+
+#[test]
+fn overrides_of_a_fastener_of_copies_change_all_or_one() {
+    let clamped = |overrides: &[&str]| -> Vec<[bool; 2]> {
+        let scene = read(&lap(), overrides).unwrap();
+        let springs = scene.fasteners.iter().map(|own| &own.springs);
+        let ends = springs.map(|springs| match springs {
+            Springs::Beam { clamped } => *clamped,
+            other => panic!("{other:?}"),
+        });
+        ends.collect()
+    };
+    assert_eq!(clamped(&[]), [[true; 2]; 2]);
+    assert_eq!(
+        clamped(&["fasteners.bolt.springs.beam.head=free"]),
+        [[false, true]; 2]
+    );
+    let one = clamped(&["fasteners.bolt_1_2.springs.beam.head=free"]);
+    assert_eq!(one, [[true, true], [false, true]]);
+    let error = read(&lap(), &["fasteners.other.springs.beam.head=free"]).unwrap_err();
+    assert!(error.contains("fasteners.other"), "{error}");
 }
