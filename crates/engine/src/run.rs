@@ -296,6 +296,7 @@ fn findings(
     findings.extend(doubts::of_ripples(model, solved));
     findings.extend(seats::findings(model, solved));
     findings.extend(doubts::of_outlines(model, edges, steps));
+    findings.extend(stresses::large_strains(model, edges, steps));
     findings
 }
 

@@ -158,6 +158,15 @@ pub enum Finding {
     },
     /// The elastic stress of a body exceeds the yield stress of its material.
     Yields(Yield),
+    /// Stresses on the contact edge of a body strain it by more than linear elasticity describes.
+    LargeStrains {
+        /// The body.
+        body: String,
+        /// The load step with the largest strain.
+        step: usize,
+        /// The largest stress there over the smallest modulus of the body `[1]`.
+        strain: f64,
+    },
     /// A finding about one contact; serialised with the `kind` of that.
     #[serde(untagged)]
     Contact {

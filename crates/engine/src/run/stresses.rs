@@ -7,8 +7,8 @@ use stickslip_fem_core::stress::{ElasticField, StressError, cartesian};
 use super::fields::Recovered;
 use crate::model::{Model, Singular};
 use crate::results::{
-    BodyStresses, EdgeKind, EdgeResults, Finding, Quantity, StepResults, StressPeak, Yield,
-    principal, von_mises,
+    BodyStresses, EdgeGeometry, EdgeKind, EdgeResults, Finding, Quantity, StepResults, StressPeak,
+    Yield, principal, von_mises,
 };
 
 /// How far from a held point, and from an end of a supported edge, stresses are left out, as parts of the smaller side of the body. The force F of a point makes
@@ -19,6 +19,8 @@ const FROM_END: f64 = 0.05;
 const ROUNDING: f64 = 1e-9;
 /// Part of the largest stress of all bodies in the history up to which stresses are rounding.
 const REST: f64 = 1e-12;
+/// Strain beyond which neither small displacements nor linear elasticity describe any solid.
+const LARGE_STRAIN: f64 = 0.1;
 
 /// Stresses (xx, yy, xy) `[MPa]` at every node of the body `index`: of a series, or recovered from patches, and on reported edges from the edge's own strain.
 pub(super) fn at_nodes(
@@ -211,6 +213,36 @@ pub(super) fn yields(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
             yield_stress: Quantity::Stress(limit),
             at: peak.at.map(Quantity::Length),
         }))
+    };
+    (0..model.bodies.len()).filter_map(of_body).collect()
+}
+
+/// Bodies that stresses on the edges `edges` in contact strain far beyond what linear elasticity describes: more often a slip of units than a joint.
+pub(super) fn large_strains(
+    model: &Model,
+    edges: &[EdgeGeometry],
+    steps: &[StepResults],
+) -> Vec<Finding> {
+    let of_body = |index: usize| {
+        let materials = model.bodies[index].elastic()?.materials().iter();
+        let compliances = materials.map(|material| material.compliance());
+        let softest = compliances.fold(0.0, |most: f64, own| most.max(own[0][0]).max(own[1][1]));
+        let strain = |(step, record): (usize, &StepResults)| {
+            let own = edges.iter().zip(&record.edges);
+            let own = own.filter(|(edge, _)| edge.contact && edge.body == index);
+            let rows = own.flat_map(|(_, results)| &results.rows);
+            let largest = rows.fold(0.0, |most: f64, row| {
+                most.max(row.pressure.abs()).max(row.sigma_tangential.abs())
+            });
+            (step + 1, softest * largest)
+        };
+        let all = steps.iter().enumerate().map(strain);
+        let (step, strain) = all.max_by(|one, other| one.1.total_cmp(&other.1))?;
+        (strain > LARGE_STRAIN).then(|| Finding::LargeStrains {
+            body: model.bodies[index].name.clone(),
+            step,
+            strain,
+        })
     };
     (0..model.bodies.len()).filter_map(of_body).collect()
 }

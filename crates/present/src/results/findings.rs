@@ -61,12 +61,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             steps,
             residual,
             usual,
-        } => format!(
-            "Forces balance to {residual:.1e} of the load only in {}, where {usual:.0e} is usual: rounding errors \
-             are larger than usual, and results may be off by thirty times that part. Cells many times longer than wide, bodies many times longer \
-             than their contact, and thermal strains far above those of the load cause it.",
-            load_steps(steps)
-        ),
+        } => unbalanced(steps, *residual, *usual),
         Finding::MeshFile { body, notes } => mesh_file(body, notes),
         Finding::MovedIntoHole {
             body,
@@ -116,6 +111,11 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             quoted(contacts)
         ),
         Finding::Yields(found) => yields(found, units),
+        Finding::LargeStrains { body, step, strain } => format!(
+            "Stresses on the contact edge of '{body}' in load step {step} are {:.0} % of its modulus, and strains of that size are neither small nor \
+             elastic: check the units of loads, moduli and lengths.",
+            100.0 * strain
+        ),
         Finding::Contact { contact, finding } => contact::sentence(contact, finding, units),
     }
 }
@@ -144,6 +144,15 @@ fn as_loose(finding: &Finding) -> Option<(&str, &[usize])> {
         } => Some((contact, steps)),
         _ => None,
     }
+}
+
+fn unbalanced(steps: &[usize], residual: f64, usual: f64) -> String {
+    format!(
+        "Forces balance to {residual:.1e} of the load only in {}, where {usual:.0e} is usual: rounding errors have grown, and results may be off by \
+         thirty times that part. Cells many times longer than wide, bodies many times longer than their contact, and thermal strains far above \
+         those of the load cause it.",
+        load_steps(steps)
+    )
 }
 
 fn geometry_unchecked(why: &str) -> String {

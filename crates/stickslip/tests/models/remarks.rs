@@ -9,6 +9,7 @@ use stickslip::results::{
 };
 use stickslip::scene::Scene;
 
+use super::series::PIN;
 use super::{BUSHING, model, results, solved};
 
 /// What `kind` takes of the findings on contacts, with the name of each contact.
@@ -353,4 +354,25 @@ fn slip_that_friction_leaves_undetermined_is_reported() {
     assert_eq!(said(&cooled, "whole"), 1);
     assert_eq!(said(&cooled, "half"), 0);
     assert_eq!(said(pull, "whole"), 0);
+}
+
+/// A modulus in MPa that was meant in GPa.
+#[test]
+fn strains_that_no_elasticity_describes_are_said() {
+    let strains = |young: &str| -> Vec<(String, f64)> {
+        let material = format!(
+            "materials.aluminium={{ isotropic = {{ young = \"{young}\", poisson = 0.33 }} }}"
+        );
+        let results = solved(PIN, &[&material, "mesh.spacing=6 deg"]);
+        let found = results.findings.into_iter().filter_map(|own| match own {
+            Finding::LargeStrains { body, strain, .. } => Some((body, strain)),
+            _ => None,
+        });
+        found.collect()
+    };
+    assert_eq!(strains("72 GPa"), []);
+    let [(body, strain)] = &strains("72 MPa")[..] else {
+        panic!("one body")
+    };
+    assert!(body == "plate" && *strain > 1.0, "{body} {strain}");
 }

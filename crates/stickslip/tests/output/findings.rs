@@ -152,6 +152,11 @@ fn of_bodies() -> Vec<Finding> {
             yield_stress: Quantity::Stress(150.0 * PSI),
             at: [25.4, 0.0].map(Quantity::Length),
         }),
+        Finding::LargeStrains {
+            body: "plate".into(),
+            step: 2,
+            strain: 2.4,
+        },
     ]
 }
 
