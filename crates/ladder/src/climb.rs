@@ -11,7 +11,7 @@ use crate::level::Level;
 use crate::models::{Division, Models};
 use crate::numbers::{Numbers, Table, difference, sum};
 use crate::worst::{Worst, worst, worst_of_step};
-use crate::{division, failure, path, stated, unseen};
+use crate::{division, failure, path, places, stated, unseen};
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_engine::results::{Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated};
 use stickslip_engine::run::{Progress, RunError, results, run_with};
@@ -126,7 +126,11 @@ impl Climb<'_> {
             let friction = |edge, pressure| last.friction(edge, pressure);
             unseen::widen(&mut divided, &last.numbers, friction);
         }
-        sum(&sum(&divided, &path.numbers), &geometry.errors)
+        let mut all = sum(&sum(&divided, &path.numbers), &geometry.errors);
+        if let Some(last) = levels.last() {
+            places::widen(&mut all, &last.numbers);
+        }
+        all
     }
 
     /// Renews what deformed gaps may change by the last of `levels`, which was just solved, if its operators make that cheap: those of elements, whose first

@@ -8,9 +8,8 @@
 //! between steps as parts of the peak pressure and of the normal force. [`factor`] has k.
 
 use super::numbers::{Numbers, Table, difference};
-use stickslip_engine::results::{
-    ContactFinding, EdgeGeometry, EdgeRow, Errors, Finding, Nodes, Stated,
-};
+use super::places::{peak_at, reach};
+use stickslip_engine::results::{ContactFinding, EdgeGeometry, Errors, Finding, Nodes, Stated};
 
 /// A change may vanish by chance; this part of the largest one of all steps does not.
 const WIDE: f64 = 0.4;
@@ -121,10 +120,6 @@ struct Changes<'a> {
 impl Changes<'_> {
     fn errors(&self, at: At) -> Errors {
         let limits = self.fine.missing[at[0]][at[1]];
-        let peaks = [
-            (Stated::PeakPressurePlace, Stated::PeakPressure),
-            (Stated::PeakHoopPlace, Stated::PeakHoop),
-        ];
         let rows = &self.fine.steps[at[0]][at[1]].rows;
         let rubs = rows.iter().any(|row| row.shear != 0.0);
         Errors::of(|stated| {
@@ -143,14 +138,16 @@ impl Changes<'_> {
                 return None;
             }
             let error = self.error(at, stated)?;
-            let peak = peaks.iter().find(|(place, _)| *place == stated);
-            let least = match (stated, peak) {
-                (_, Some((_, peak))) => self.flat(at, *peak),
+            let least = match stated {
+                Stated::PeakPressurePlace | Stated::PeakHoopPlace => {
+                    let of_peak = peak_at(stated).and_then(|peak| self.error(at, peak));
+                    of_peak.map_or(0.0, |error| reach(self.fine, at, stated, error))
+                }
                 // Slip has two ends of stick.
-                (Stated::SlipAway | Stated::SlipTowards, _) => {
+                Stated::SlipAway | Stated::SlipTowards => {
                     2.0 * self.error(at, Stated::StickExtent).unwrap_or(0.0)
                 }
-                (Stated::PeakPressure, _) if !self.nodes.are_graded() => self.unresolved(at),
+                Stated::PeakPressure if !self.nodes.are_graded() => self.unresolved(at),
                 _ => 0.0,
             };
             Some(error.max(least))
@@ -231,38 +228,6 @@ impl Changes<'_> {
         } else {
             0.0
         }
-    }
-
-    /// How far from the place of `peak` a node lies whose value is within the error of it: there the peak may be as well.
-    fn flat(&self, at: At, peak: Stated) -> f64 {
-        let [step, edge] = at;
-        let results = &self.fine.steps[step][edge];
-        let geometry = &self.fine.own[step][edge];
-        let found = match peak {
-            Stated::PeakHoop => results.peak_hoop,
-            _ => results.peak_pressure,
-        };
-        let (Some((most, place)), Some(error)) = (found, self.error(at, peak)) else {
-            return 0.0;
-        };
-        let value = |row: &EdgeRow| match peak {
-            Stated::PeakHoop => row.sigma_tangential,
-            _ => row.pressure,
-        };
-        let rows = results.rows.iter().zip(&geometry.parameter);
-        let high = rows.filter(|(row, _)| value(row) >= most - error);
-        let away = high.map(|(_, at)| {
-            let away = (at - place).abs();
-            geometry
-                .closed()
-                .map_or(away, |length| away.min(length - away))
-        });
-        let own = match peak {
-            // A fit between nodes has the place of the other peak.
-            Stated::PeakHoop => 0.0,
-            _ => 0.5 * Nodes::of(geometry).spacing(place),
-        };
-        away.fold(own, f64::max)
     }
 }
 

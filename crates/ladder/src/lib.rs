@@ -33,6 +33,7 @@ mod models;
 mod numbers;
 mod path;
 mod peaks;
+mod places;
 mod stated;
 mod thinning;
 mod unseen;

@@ -176,6 +176,45 @@ fn without_the_deformed_geometry_no_error_is_stated() {
     assert!(edge.row_errors.is_empty());
 }
 
+/// A peak may be wherever a node is within the peak's error, whatever that error comes from.
+#[test]
+fn places_of_peaks_reach_over_all_nodes_that_may_be_it() {
+    let text = PIN.replace("substeps = 1\n", "");
+    let changes = [
+        "analysis.accuracy=\"5 %\"",
+        "bodies.pin.shape.disk.radius=4.98 mm",
+        "contacts.0.friction.coulomb.mu=0.5",
+    ];
+    let results = solved(&text, &changes);
+    let geometry = &results.edges[0];
+    for edge in results.steps.iter().map(|step| &step.edges[0]) {
+        let hoop: Vec<f64> = edge.rows.iter().map(|row| row.sigma_tangential).collect();
+        let pressure: Vec<f64> = edge.rows.iter().map(|row| row.pressure).collect();
+        for (values, found, [peak, place]) in [
+            (
+                hoop,
+                edge.peak_hoop,
+                [Stated::PeakHoop, Stated::PeakHoopPlace],
+            ),
+            (
+                pressure,
+                edge.peak_pressure,
+                [Stated::PeakPressure, Stated::PeakPressurePlace],
+            ),
+        ] {
+            let (most, at) = found.unwrap();
+            let [error, reach] = [peak, place].map(|stated| edge.errors.get(stated).unwrap());
+            for (value, other) in values.iter().zip(&geometry.parameter) {
+                let away = stickslip::results::wrapped(other - at).abs();
+                assert!(
+                    *value < most - error || away <= reach + 1e-9,
+                    "{place:?} {other} {at}"
+                );
+            }
+        }
+    }
+}
+
 /// Where there is no model on the deformed geometry, errors are stated, and it is said what they leave out.
 #[test]
 fn errors_say_that_they_leave_out_the_deformed_geometry() {
