@@ -98,10 +98,19 @@ impl Results {
             return None;
         }
         let mut holes = Vec::new();
+        let mut circles: Vec<([f64; 2], f64)> = Vec::new();
         for contact in self.contacts_of(body) {
             let EdgeKind::Circle { centre, radius } = self.edges[contact].kind else {
                 return None;
             };
+            // Of two circles of a body one surrounds the other only in a bushing.
+            let is_around = |&(other, size): &([f64; 2], f64)| {
+                (centre[0] - other[0]).hypot(centre[1] - other[1]) < radius.max(size)
+            };
+            if circles.iter().any(is_around) {
+                return None;
+            }
+            circles.push((centre, radius));
             holes.push((centre[0], radius, contact));
         }
         holes.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -9,7 +9,7 @@ use stickslip::scene::schema::SolverChoice;
 use stickslip_contact::nalgebra::{DMatrix, DVector};
 
 use super::{HEAD, is_balanced, slice};
-use crate::{scene, solved};
+use crate::{BUSHING, scene, solved};
 
 /// Young's modulus of the plates `[MPa]`.
 const YOUNG: f64 = 72_000.0;
@@ -206,6 +206,15 @@ fn a_loose_bolt_beside_tight_ones_carries_nothing() {
     };
     let found: Vec<&Finding> = results.findings.iter().filter(kinds).collect();
     assert!(found.is_empty(), "{found:?}");
+}
+
+/// Pin and hole of a bushing lie in one place but for clearances, and are no two fasteners.
+#[test]
+fn a_bushing_has_no_rows() {
+    let results = solved(BUSHING, &["analysis.model=whole"]);
+    let circles = results.edges.iter().map(|edge| &edge.kind);
+    let places: Vec<String> = circles.map(|kind| format!("{kind:?}")).collect();
+    assert_eq!(results.plates_with_rows(), [], "{places:?}");
 }
 
 /// Between bolts a plate carries what those on one side of it leave, and each bolt takes the difference.
