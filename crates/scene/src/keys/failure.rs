@@ -17,7 +17,7 @@ const PART: Range = numbers(" in (0, 1]", "greater than 0, at most 1", |value| {
 #[rustfmt::skip]
 pub(super) const TABLES: &[Table] = &[
     Table::new("failure", &[
-        names("criteria", criteria, REQUIRED, r#"["max_stress", "tsai_wu"]"#,
+        names("criteria", criteria, REQUIRED, r#"["tsai_wu", "hashin"]"#,
             "one or more; the first one is drawn").range(filled(r#"at least one, such as ["max_stress"]"#)),
         words("bodies", "list of bodies", "all of a laminate", r#"["coupon"]"#,
             "bodies whose plies are checked").range(filled("at least one body; leave it out for all bodies of a laminate")),
