@@ -279,7 +279,8 @@ fn patterns_that_do_not_fit_are_refused_where_they_stand() {
 fn lap() -> String {
     let mut text = "version = 1\n[materials.metal.isotropic]\nyoung = \"70 GPa\"\npoisson = 0.3\n[mesh]\nspacing = \"6 deg\"\n".to_owned();
     for plate in ["one", "two", "three"] {
-        text += &format!(
+        write!(
+            text,
             r#"
 [bodies.{plate}]
 material = "metal"
@@ -302,7 +303,8 @@ first = "{plate}.hole"
 second = "slice-{plate}.rim"
 friction.coulomb.mu = 0.1
 "#
-        );
+        )
+        .unwrap();
     }
     text + r#"
 [fasteners.bolt]
