@@ -228,13 +228,23 @@ pub(super) fn large_strains(
         let compliances = materials.map(|material| material.compliance());
         let softest = compliances.fold(0.0, |most: f64, own| most.max(own[0][0]).max(own[1][1]));
         let strain = |(step, record): (usize, &StepResults)| {
-            let own = edges.iter().zip(&record.edges);
-            let own = own.filter(|(edge, _)| edge.contact && edge.body == index);
-            let rows = own.flat_map(|(_, results)| &results.rows);
-            let largest = rows.fold(0.0, |most: f64, row| {
-                most.max(row.pressure.abs()).max(row.sigma_tangential.abs())
+            let own = edges
+                .iter()
+                .zip(&record.edges)
+                .filter(|(edge, _)| edge.contact);
+            let stresses = own.map(|(edge, results)| {
+                let second = edge.second.as_ref().map(|second| second.body);
+                let rows = results.rows.iter();
+                // The pressure acts on both bodies, and the stress along the edge is that of the first.
+                match (edge.body == index, second == Some(index)) {
+                    (true, _) => rows.fold(0.0, |most: f64, row| {
+                        most.max(row.pressure.abs()).max(row.sigma_tangential.abs())
+                    }),
+                    (false, true) => rows.fold(0.0, |most: f64, row| most.max(row.pressure.abs())),
+                    (false, false) => 0.0,
+                }
             });
-            (step + 1, softest * largest)
+            (step + 1, softest * stresses.fold(0.0, f64::max))
         };
         let all = steps.iter().enumerate().map(strain);
         let (step, strain) = all.max_by(|one, other| one.1.total_cmp(&other.1))?;
