@@ -97,25 +97,23 @@ impl Results {
         if fasteners.any(|layer| layer.slice == body) {
             return None;
         }
-        let mut holes = Vec::new();
-        let mut circles: Vec<([f64; 2], f64)> = Vec::new();
+        let mut holes: Vec<([f64; 2], f64, usize)> = Vec::new();
         for contact in self.contacts_of(body) {
             let EdgeKind::Circle { centre, radius } = self.edges[contact].kind else {
                 return None;
             };
             // Of two circles of a body one surrounds the other only in a bushing.
-            let is_around = |&(other, size): &([f64; 2], f64)| {
+            let is_around = |&(other, size, _): &([f64; 2], f64, usize)| {
                 (centre[0] - other[0]).hypot(centre[1] - other[1]) < radius.max(size)
             };
-            if circles.iter().any(is_around) {
+            if holes.iter().any(is_around) {
                 return None;
             }
-            circles.push((centre, radius));
-            holes.push((centre[0], radius, contact));
+            holes.push((centre, radius, contact));
         }
-        holes.sort_by(|a, b| a.0.total_cmp(&b.0));
+        holes.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
         let mut rows: Vec<(f64, Vec<usize>)> = Vec::new();
-        for (x, radius, contact) in holes {
+        for ([x, _], radius, contact) in holes {
             match rows.last_mut() {
                 Some((place, row)) if x - *place <= SAME * radius => row.push(contact),
                 _ => rows.push((x, vec![contact])),

@@ -7,9 +7,7 @@ use std::sync::Arc;
 
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{
-    BodyModel, Division, GapKind, Grading, MeshSettings, ProjectionChoice, SetRef,
-};
+use stickslip_scene::schema::{BodyModel, Division, GapKind, Grading, MeshSettings, SetRef};
 use stickslip_scene::shape::Role;
 use stickslip_series::LineNodes;
 
@@ -107,12 +105,8 @@ pub(super) fn choose(
 /// cells of such unequal widths makes pressures waver.
 fn is_projected(plan: &Plan<'_>, index: usize) -> bool {
     plan.contacts.iter().any(|contact| {
-        let asked = contact.of.projection;
-        contact.sides.iter().any(|side| side.body == index)
-            && matches!(
-                asked,
-                ProjectionChoice::Mortar | ProjectionChoice::DualMortar
-            )
+        let touches = contact.sides.iter().any(|side| side.body == index);
+        touches && contact.of.projection.is_mortar()
     })
 }
 
@@ -205,10 +199,7 @@ fn only_half_planes(plan: &Plan<'_>, asked: &[BodyModel]) -> Result<(), ModelErr
         }
         lines += 1;
         let name = &contact.of.name;
-        if !matches!(
-            contact.of.projection,
-            ProjectionChoice::Auto | ProjectionChoice::Nodes
-        ) {
+        if contact.of.projection.is_mortar() {
             let what = format!(
                 "contact '{name}' is between half-planes, which are tied by pairs of nodes; leave projection out"
             );

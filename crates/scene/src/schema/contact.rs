@@ -51,3 +51,10 @@ pub enum ProjectionChoice {
     /// Mortar projection with functions biorthogonal to them.
     DualMortar,
 }
+
+impl ProjectionChoice {
+    /// Whether it asks for a mortar projection.
+    pub fn is_mortar(self) -> bool {
+        matches!(self, Self::Mortar | Self::DualMortar)
+    }
+}
