@@ -17,6 +17,8 @@ use crate::state::{ContactState, TrialState};
 
 /// Name under which failures of the passes are reported.
 const NAME: &str = "deformed gaps";
+/// See [`size`].
+const LEAST_MOTION: f64 = 1e-3;
 /// Points beside those in contact whose compliance is taken over too, because contact may spread to them.
 const BESIDE: usize = 3;
 
@@ -53,6 +55,8 @@ struct Found {
     geometry: Geometry,
     /// Change of that from the geometry on which it was found.
     change: f64,
+    /// By what changes are measured `[length]`.
+    size: f64,
 }
 
 impl<'a> Passes<'a> {
@@ -182,8 +186,10 @@ impl<'a> Passes<'a> {
         let moved =
             (self.gaps).displacements(self.undeformed, contacts, &record.state, multipliers);
         let geometry = self.geometry(&moved)?;
+        let size = size(&record.state, &moved);
         Ok(Found {
-            change: self.change(&record.state, &geometry),
+            change: self.change((&record.state, size), &geometry),
+            size,
             record,
             trial,
             moved,
@@ -195,9 +201,10 @@ impl<'a> Passes<'a> {
         let Found {
             mut record,
             geometry,
+            size,
             ..
         } = found;
-        let error = geometry.error() / record.state.motion.amax();
+        let error = geometry.error() / size;
         if error > LARGEST_ERROR {
             return Err(self.refusal(FailureCause::Apart {
                 error,
@@ -219,10 +226,9 @@ impl<'a> Passes<'a> {
         StepFailure::new(NAME, cause, self.work)
     }
 
-    /// The largest change of a gap to `geometry` from what the problem has in `state`, relative to the largest motion, or of the normal of a
+    /// The largest change of a gap to `geometry` from what the problem has in `state`, relative to `size`, or of the normal of a
     /// point in contact; infinite where a point touches whose compliance is an older one.
-    fn change(&self, state: &ContactState, geometry: &Geometry) -> f64 {
-        let size = state.motion.amax();
+    fn change(&self, (state, size): (&ContactState, f64), geometry: &Geometry) -> f64 {
         let normals = geometry.normals();
         let mut change = 0.0_f64;
         for (k, gap) in geometry.gaps().into_iter().enumerate() {
@@ -274,4 +280,18 @@ impl<'a> Passes<'a> {
         }
         chosen
     }
+}
+
+/// The largest motion of a point in `state` `[length]`. Where all points stick to each other there is none but rounding; it counts as no less than
+/// [`LEAST_MOTION`] of how far points of a body are displaced from their mean, by `moved`.
+fn size(state: &ContactState, moved: &[DVector<f64>]) -> f64 {
+    let apart = moved.iter().flat_map(|body| {
+        (0..2).map(|axis| {
+            let along = || body.iter().skip(axis).step_by(2);
+            let mean = along().sum::<f64>() / along().count().max(1) as f64;
+            along().fold(0.0, |most: f64, by| most.max((by - mean).abs()))
+        })
+    });
+    let apart = apart.fold(0.0, f64::max);
+    state.motion.amax().max(LEAST_MOTION * apart)
 }

@@ -121,6 +121,21 @@ figures = false
     solved(&text, changes)
 }
 
+/// Where all points stick to each other no point moves against another, and changes of the geometry are measured by the bodies' own displacements.
+#[test]
+fn a_pin_that_only_presses_has_the_pressure_of_lame() {
+    let found = ring(0.0, &[DEFORMED, "loads.0.force.steps=[\"0 N\"]"]);
+    let (young, overlap, ratio) = (70e3, 0.01 / 5.0, f64::powi(5.0 / 25.0, 2));
+    let lame = 0.5 * young * overlap * (1.0 - ratio);
+    let rows = &found.steps[0].edges[0].rows;
+    // The strains are the overlap.
+    assert!(
+        rows.iter()
+            .all(|row| (row.pressure / lame - 1.0).abs() < 2.0 * overlap)
+    );
+    assert_eq!(found.steps[0].cutbacks, 0);
+}
+
 /// A load of another direction is a turned load: the mesh has four equal quarters.
 #[test]
 fn a_turned_load_has_the_turned_answer() {
