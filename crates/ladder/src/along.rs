@@ -4,12 +4,12 @@
 //! error(θ) = k max max(|v_h − v_2h|, r |v_2h − v_4h|)      over the nodes no farther from θ than those of 2h are apart
 //! ```
 //!
-//! Values of a coarser model are those of cubic polynomials between nodes of one status, and linear elsewhere. To that comes [`PATH`] times what the last
-//! halving of the increments of a load step changed, and what deformed gaps may change.
+//! Values of a coarser model are those of cubic polynomials between nodes of one status, and linear elsewhere. To that comes what increments of load steps leave,
+//! and what deformed gaps may change.
 
 use super::division::Spaced;
 use super::numbers::Numbers;
-use stickslip_engine::results::{EdgeGeometry, Nodes, RowErrors, Values, joined, values};
+use stickslip_engine::results::{EdgeGeometry, Nodes, RowErrors, Stated, Values, joined, values};
 
 /// k of the module's equation, of pressure, shear and σ_t, with graded nodes and with others.
 const DIVISION: [[f64; 3]; 2] = [[1.2, 1.2, 1.6], [2.5; 3]];
@@ -17,8 +17,6 @@ const DIVISION: [[f64; 3]; 2] = [[1.2, 1.2, 1.6], [2.5; 3]];
 const LEAST: f64 = 0.03;
 /// r of the module's equation, with graded nodes and with others.
 const RATE: [f64; 2] = [0.25, 0.5];
-/// What increments leave, by the change that halving them made.
-const PATH: f64 = 2.0;
 
 /// Errors at the nodes of edges, per step and edge.
 #[derive(Clone, Default)]
@@ -46,17 +44,55 @@ impl Along {
         sizes.widened(coarse).times_each(DIVISION[kind])
     }
 
-    /// What the load path leaves; a step that was not halved keeps what it had, beside what those before it change: after `finer` had twice as many increments as `base` in the steps `halved`; `self` is what was left before.
-    pub(super) fn halved(self, finer: &Numbers, base: &Numbers, halved: &[bool]) -> Self {
-        let mut left = Self::between(finer, base).times(PATH);
-        let before = self.steps.iter().enumerate();
-        for (step, own) in before.filter(|(step, _)| !halved[*step]) {
-            let edges = left.steps[step].iter_mut().zip(own);
-            for (left, own) in edges.flat_map(|(left, own)| left.iter_mut().zip(own)) {
-                *left = joined(*left, *own, |left, own| left + own);
-            }
+    /// The errors of steps that were `halved`; of the others beside those `before`.
+    pub(super) fn beside(mut self, before: &Self, halved: &[bool]) -> Self {
+        let before = before.at(&self.nodes);
+        let steps = self.steps.iter_mut().zip(before.steps).zip(halved);
+        for ((own, before), _) in steps.filter(|(_, halved)| !**halved) {
+            *own = joined_edges(std::mem::take(own), &before, |own, before| own + before);
         }
-        left
+        self
+    }
+
+    /// What steps that are not `halved` leave in those after them: at most their own errors, and at most those after them; `before` is what they left before.
+    pub(super) fn kept(&self, before: &Self, halved: &[bool]) -> Self {
+        let before = before.at(&self.nodes);
+        let steps = self.nodes.iter().enumerate().map(|(step, nodes)| {
+            let earlier = (0..step).filter(|&other| !halved[other]);
+            let left = earlier.map(|other| {
+                let other = moved(&self.steps[other], &self.nodes[other], nodes);
+                joined_edges(other, &self.steps[step], f64::min)
+            });
+            let left = left.reduce(|one, other| joined_edges(one, &other, f64::max));
+            let before = before.steps.get(step);
+            match (left, before) {
+                (Some(left), Some(before)) if halved[step] => joined_edges(left, before, f64::max),
+                (Some(left), None) if halved[step] => left,
+                (Some(_), Some(before)) => before.clone(),
+                _ => nodes
+                    .iter()
+                    .map(|own| vec![[0.0; 3]; own.parameter.len()])
+                    .collect(),
+            }
+        });
+        Self {
+            steps: steps.collect(),
+            nodes: self.nodes.clone(),
+        }
+    }
+
+    /// At every node the largest error no farther away than contact grows in one of the `substeps` of the load step or of one before it; `of` are the numbers
+    /// at the same nodes. Each increment leaves a kink in friction, which stays, and those of half as many may cross there.
+    pub(super) fn spread(self, of: &Numbers, substeps: &[usize]) -> Self {
+        self.over(|step, edge| {
+            let steps = of.steps.iter().zip(substeps).take(step + 1);
+            let growth = steps.map(|(edges, &count)| {
+                let extent = Stated::ContactExtent.value(&edges[edge]);
+                extent.unwrap_or(0.0) / count as f64
+            });
+            let growth = growth.fold(0.0, f64::max);
+            move |_| growth
+        })
     }
 
     /// The differences of two models at the nodes of the first.
@@ -136,20 +172,10 @@ impl Along {
             return self.clone();
         }
         let all = self.steps.iter().zip(&self.nodes).zip(nodes);
-        let steps = all.map(|((step, own), nodes)| {
-            let edges = step.iter().zip(own).zip(nodes);
-            edges
-                .map(|((errors, own), nodes)| {
-                    let largest = |&at: &f64| {
-                        let [from, to] = own.around(at);
-                        joined(errors[from], errors[to], f64::max)
-                    };
-                    nodes.parameter.iter().map(largest).collect()
-                })
-                .collect()
-        });
         Self {
-            steps: steps.collect(),
+            steps: all
+                .map(|((step, own), nodes)| moved(step, own, nodes))
+                .collect(),
             nodes: nodes.to_vec(),
         }
     }
@@ -157,33 +183,61 @@ impl Along {
     /// Errors at the same nodes; the second ones may be empty.
     fn joined(&self, other: &Self, join: impl Fn(f64, f64) -> f64) -> Self {
         let mut all = self.clone();
-        let pairs = all.steps.iter_mut().zip(&other.steps);
-        let pairs = pairs.flat_map(|(step, other)| step.iter_mut().zip(other));
-        for (own, other) in pairs.flat_map(|(edge, other)| edge.iter_mut().zip(other)) {
-            *own = joined(*own, *other, &join);
+        for (own, other) in all.steps.iter_mut().zip(&other.steps) {
+            *own = joined_edges(std::mem::take(own), other, &join);
         }
         all
     }
 
     /// At every node the largest error no farther away than nodes of `coarse` are apart there.
-    fn widened(&self, coarse: &Numbers) -> Self {
+    fn widened(self, coarse: &Numbers) -> Self {
         let coarse = nodes(coarse);
-        let all = self.steps.iter().zip(&self.nodes).zip(&coarse);
-        let steps = all.map(|((step, own), coarse)| {
-            let edges = step.iter().zip(own).zip(coarse);
-            edges
-                .map(|((errors, own), coarse)| {
-                    let at = own.parameter.iter().enumerate();
-                    at.map(|(k, &at)| own.largest_near(errors, k, coarse.spacing(at)))
-                        .collect()
-                })
-                .collect()
-        });
-        Self {
-            steps: steps.collect(),
-            nodes: self.nodes.clone(),
-        }
+        self.over(|step, edge| {
+            let coarse = &coarse[step][edge];
+            |at| coarse.spacing(at)
+        })
     }
+
+    /// At every node the largest error no farther away than the `reach` of a step and an edge, at a place.
+    fn over<R: Fn(f64) -> f64>(mut self, reach: impl Fn(usize, usize) -> R) -> Self {
+        for (step, (edges, nodes)) in self.steps.iter_mut().zip(&self.nodes).enumerate() {
+            for (edge, (errors, own)) in edges.iter_mut().zip(nodes).enumerate() {
+                let reach = reach(step, edge);
+                let at = own.parameter.iter().enumerate();
+                *errors = at
+                    .map(|(k, &at)| own.largest_near(errors, k, reach(at)))
+                    .collect();
+            }
+        }
+        self
+    }
+}
+
+/// Errors of the edges of a step at other nodes: the larger ones of their neighbours.
+fn moved(errors: &[Vec<Values>], from: &[Nodes], to: &[Nodes]) -> Vec<Vec<Values>> {
+    let edges = errors.iter().zip(from).zip(to);
+    edges
+        .map(|((errors, own), nodes)| {
+            let largest = |&at: &f64| {
+                let [from, to] = own.around(at);
+                joined(errors[from], errors[to], f64::max)
+            };
+            nodes.parameter.iter().map(largest).collect()
+        })
+        .collect()
+}
+
+/// Errors of the edges of a step, joined with others at the same nodes.
+fn joined_edges(
+    mut one: Vec<Vec<Values>>,
+    other: &[Vec<Values>],
+    join: impl Fn(f64, f64) -> f64,
+) -> Vec<Vec<Values>> {
+    let pairs = one.iter_mut().zip(other);
+    for (own, other) in pairs.flat_map(|(edge, other)| edge.iter_mut().zip(other)) {
+        *own = joined(*own, *other, &join);
+    }
+    one
 }
 
 /// The nodes of every step and edge.

@@ -9,9 +9,10 @@ use crate::geometry::Geometry;
 use crate::grading::Grading;
 use crate::level::Level;
 use crate::models::{Division, Models};
-use crate::numbers::{Numbers, Table, difference, sum};
+use crate::numbers::{Numbers, Table, sum};
+use crate::path::{self, Changes, Halved, Left};
 use crate::worst::{Worst, worst, worst_of_step};
-use crate::{division, failure, path, places, stated, unseen};
+use crate::{division, failure, places, stated, unseen};
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_engine::results::{Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated};
 use stickslip_engine::run::{Progress, RunError, results, run_with};
@@ -24,6 +25,8 @@ const LEAST: usize = 8;
 const INCREMENTS: usize = 64;
 /// The increments may take this part of what is asked.
 const PATH_SHARE: f64 = 0.5;
+/// Errors of less than so many times what the load path leaves, where that is too much, are not worth a finer division.
+const MOSTLY: f64 = 1.5;
 /// The undeformed geometry may take this part of what is asked.
 const GEOMETRY_SHARE: f64 = 0.3;
 /// Budget of a scene that asks for no accuracy `[s]`.
@@ -70,7 +73,7 @@ pub(crate) fn climb(
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
         let errors = climb.errors(&levels, &path, &model);
-        let end = climb.end(&levels, &errors);
+        let end = climb.end(&levels, &errors, &path.numbers);
         let next = match (end, levels.last()) {
             (None, Some(last)) => {
                 let rung = last.rung + 1;
@@ -95,13 +98,6 @@ pub(crate) fn climb(
         levels.push(level);
         climb.renew(&levels, &mut model, progress);
     }
-}
-
-/// What the load path leaves.
-#[derive(Default)]
-struct Left {
-    numbers: Table,
-    along: Along,
 }
 
 struct Climb<'a> {
@@ -243,18 +239,13 @@ impl Climb<'_> {
                 .level(1, &times(FEWEST, &base.substeps), progress)?;
             self.record(&base, None);
         }
-        let mut changes = path::Changes::default();
         if pinned {
-            let finer = times(path::PINNED, &base.substeps);
-            let finer = self.models.level(1, &finer, progress)?;
-            let change = difference(&finer.numbers, &base.numbers);
-            let left = Left {
-                numbers: path::of_pinned(&change, &base.numbers.steps),
-                along: Along::between(&base.numbers, &finer.numbers).times(path::of_four()),
-            };
+            let substeps = times(path::PINNED, &base.substeps);
+            let finer = self.models.level(1, &substeps, progress)?;
+            let left = path::of_pinned(&finer.numbers, &base.numbers, &base.substeps);
             return Ok((base, left));
         }
-        let mut along = Along::default();
+        let mut changes = Changes::default();
         let mut left = None;
         let mut halved = vec![true; base.substeps.len()];
         loop {
@@ -269,30 +260,41 @@ impl Climb<'_> {
                     None => return Ok((base, left)),
                 },
             };
-            let change = difference(&finer.numbers, &base.numbers);
-            let numbers = changes.halved(change, &finer.numbers.steps, &halved);
-            along = along.halved(&finer.numbers, &base.numbers, &halved);
+            let found = changes.halved((&finer.numbers, &base.numbers), &halved, &substeps);
             self.record(&finer, None);
-            for (step, half) in halved.iter_mut().enumerate() {
-                let worst = worst_of_step(&finer.numbers, &numbers, self.bounds(), step);
-                let is_large = worst.is_some_and(|worst| worst.part > PATH_SHARE);
-                let is_large = is_large && self.asked.is_some();
-                let is_coarse = substeps[step] < LEAST * self.scene.analysis.substeps();
-                *half = (is_large || is_coarse) && substeps[step] < INCREMENTS;
-            }
+            halved = self.to_halve(&finer, &found);
             let is_fine = !halved.contains(&true);
             if is_fine || self.is_spent(&finer) {
                 self.ran_out = !is_fine;
-                return Ok((finer, Left { numbers, along }));
+                return Ok((finer, found.left));
             }
             // Of fewer increments too little is known to answer with them.
             let least = LEAST * self.scene.analysis.substeps();
-            left = substeps.iter().all(|&count| count >= least).then(|| Left {
-                numbers,
-                along: along.clone(),
-            });
+            let is_enough = substeps.iter().all(|&count| count >= least);
+            left = is_enough.then_some(found.left);
             base = finer;
         }
+    }
+
+    /// The steps of `level` that more increments have to divide after those that left `found`: those with too large an error, and where it is left by
+    /// steps before, or they have [`INCREMENTS`], the steps before them.
+    fn to_halve(&self, level: &Level, found: &Halved) -> Vec<bool> {
+        let is_large = |errors: &Table, step: usize| {
+            let worst = worst_of_step(&level.numbers, errors, self.bounds(), step);
+            self.asked.is_some() && worst.is_some_and(|worst| worst.part > PATH_SHARE)
+        };
+        let substeps = &level.substeps;
+        let steps = 0..substeps.len();
+        let mut halved: Vec<bool> = steps.map(|step| is_large(&found.own, step)).collect();
+        let is_settled = |step: usize| !halved[step] || substeps[step] >= INCREMENTS;
+        let mut steps = 0..substeps.len();
+        let last = steps.rfind(|&step| is_settled(step) && is_large(&found.left.numbers, step));
+        halved[..last.unwrap_or(0)].fill(true);
+        for (half, &count) in halved.iter_mut().zip(substeps) {
+            let is_coarse = count < LEAST * self.scene.analysis.substeps();
+            *half = (*half || is_coarse) && count < INCREMENTS;
+        }
+        halved
     }
 
     /// As [`Models::level`], but given up when the budget is spent, which is recorded; none is returned then.
@@ -335,10 +337,15 @@ impl Climb<'_> {
         });
     }
 
-    /// Records the last of `levels`, and says why the climb ends there, if it does.
-    fn end(&mut self, levels: &[Level], errors: &Table) -> Option<LadderEnd> {
+    /// Records the last of `levels` with its `errors`, and says why the climb ends there, if it does; no finer division makes those that the
+    /// load path `left` smaller.
+    fn end(&mut self, levels: &[Level], errors: &Table, left: &Table) -> Option<LadderEnd> {
         let last = levels.last()?;
-        let worst = worst(&last.numbers, errors, self.bounds());
+        let [worst, left] =
+            [errors, left].map(|errors| worst(&last.numbers, errors, self.bounds()));
+        let is_left = worst
+            .zip(left)
+            .is_some_and(|(worst, left)| left.part > 1.0 && worst.part < MOSTLY * left.part);
         let error = worst.map(Worst::named);
         let is_known =
             |rung: &Rung| (&rung.model, &rung.increments) == (&last.division, &last.substeps);
@@ -357,9 +364,8 @@ impl Climb<'_> {
         } else if self.is_spent(last) {
             Some(LadderEnd::Budget)
         } else {
-            self.models
-                .is_finest(last.rung)
-                .then_some(LadderEnd::Finest)
+            let is_finest = is_left || self.models.is_finest(last.rung);
+            is_finest.then_some(LadderEnd::Finest)
         }
     }
 

@@ -6,15 +6,20 @@
 //! error = max(c r/(1 − r), c′/2, c″/4, …),     r = c/c′ between ½ and ⅘,     c = |v_Δ − v_2Δ|,  c′ = |v_2Δ − v_4Δ|, …
 //! ```
 //!
-//! A change may vanish by chance, so those before count as if every halving took half of them. Only steps whose error is too large are divided further.
+//! A change may vanish by chance, so those before count as if every halving took half of them. Only steps whose error is too large are divided further;
+//! what a step that is not leaves in those after it is at most its own error, and theirs from when both were last halved.
 
-use super::numbers::{Table, sum, zipped};
+use super::along::Along;
+use super::numbers::{Numbers, Table, difference, sum, zipped};
 use stickslip_engine::results::{EdgeResults, Errors, Stated};
 
 /// The error that increments leave is at most so many times the change that halving them last made.
 const SLOWEST: f64 = 4.0;
 /// Given increments are compared with so many times as many: two times as many may change nothing where contact grows in proportion to the load.
 pub(super) const PINNED: usize = 4;
+
+/// What increments leave of values at nodes, by the change that halving them made.
+const PATH: f64 = 2.0;
 
 /// Part of the error of a force that the next step keeps.
 const KEPT: f64 = 0.7;
@@ -24,6 +29,20 @@ const FRICTION: f64 = 1.5;
 /// Part of the normal force below which a friction force is rounding.
 const BALANCED: f64 = 1e-9;
 
+/// What increments leave.
+#[derive(Clone, Default)]
+pub(super) struct Left {
+    pub(super) numbers: Table,
+    pub(super) along: Along,
+}
+
+/// The same after some steps were halved.
+pub(super) struct Halved {
+    pub(super) left: Left,
+    /// The errors of numbers that halving the step itself makes smaller.
+    pub(super) own: Table,
+}
+
 /// The changes of numbers while increments are halved.
 #[derive(Default)]
 pub(super) struct Changes {
@@ -32,17 +51,39 @@ pub(super) struct Changes {
     left: Table,
     /// The errors of steps when they were last halved.
     settled: Table,
+    /// What steps leave in those after them since they are not halved any more.
+    kept: Table,
+    /// Errors along edges.
+    along: Along,
+    along_kept: Along,
 }
 
 impl Changes {
-    /// The errors that increments leave after those of the steps `halved` were, which changed the numbers of `steps` by `change`. A step that was not
-    /// keeps its own error, beside that of the steps before it.
+    /// What the `substeps` of `finer` leave, of which those of the steps `halved` are twice as many as in `base`. A step that was not halved keeps its own
+    /// error, beside that of the steps before it.
     pub(super) fn halved(
         &mut self,
-        change: Table,
-        steps: &[Vec<EdgeResults>],
+        (finer, base): (&Numbers, &Numbers),
         halved: &[bool],
-    ) -> Table {
+        substeps: &[usize],
+    ) -> Halved {
+        self.keep(halved);
+        let changed = Along::between(finer, base).spread(finer, substeps);
+        self.along_kept = self.along.kept(&self.along_kept, halved);
+        self.along = changed.times(PATH).beside(&self.along, halved);
+        let all = self.of_numbers(difference(finer, base), halved);
+        let [mut numbers, mut own] = [sum(&all, &self.kept), all];
+        adjust(&mut numbers, &finer.steps);
+        adjust(&mut own, &finer.steps);
+        let along = self.along.and(&self.along_kept);
+        Halved {
+            left: Left { numbers, along },
+            own,
+        }
+    }
+
+    /// The errors of numbers that `change`, without what is kept.
+    fn of_numbers(&mut self, change: Table, halved: &[bool]) -> Table {
         let geometric = zipped(&change, &self.last, error);
         let own = zipped(&geometric, &self.left, |error, left| {
             Some(error?.max(left.unwrap_or(0.0)))
@@ -61,20 +102,54 @@ impl Changes {
             Some(0.5 * change?.max(left.unwrap_or(0.0)))
         });
         self.last = change;
-        adjust(&mut errors, steps);
         errors
+    }
+
+    /// Keeps what steps that are not `halved` leave in those after them, which halving these does not show.
+    fn keep(&mut self, halved: &[bool]) {
+        self.kept.resize(self.settled.len(), Vec::new());
+        for step in 0..self.settled.len() {
+            let before = (0..step).filter(|&other| !halved[other]);
+            let left = before.map(|other| {
+                let both = self.settled[step].iter().zip(&self.settled[other]);
+                both.map(|(own, other)| {
+                    Errors::of(|stated| Some(own.get(stated)?.min(other.get(stated)?)))
+                })
+                .collect::<Vec<Errors>>()
+            });
+            self.kept[step] = match left.reduce(larger) {
+                None => Vec::new(),
+                Some(left) if halved[step] => larger(left, self.kept[step].clone()),
+                Some(_) => continue,
+            };
+        }
     }
 }
 
-/// The errors that given increments leave, by what [`PINNED`] times as many change.
-pub(super) fn of_pinned(change: &Table, steps: &[Vec<EdgeResults>]) -> Table {
-    let mut errors = zipped(change, &Table::new(), |change, _| Some(of_four() * change?));
-    adjust(&mut errors, steps);
-    errors
+/// The larger ones of the errors of edges, of which the second may be empty.
+fn larger(one: Vec<Errors>, other: Vec<Errors>) -> Vec<Errors> {
+    let joined = zipped(&vec![one], &vec![other], |one, other| {
+        Some(one?.max(other.unwrap_or(0.0)))
+    });
+    joined.into_iter().flatten().collect()
+}
+
+/// What given increments leave, by what [`PINNED`] times as many change, those of `finer`.
+pub(super) fn of_pinned(finer: &Numbers, base: &Numbers, substeps: &[usize]) -> Left {
+    let change = difference(finer, base);
+    let mut numbers = zipped(&change, &Table::new(), |change, _| {
+        Some(of_four() * change?)
+    });
+    adjust(&mut numbers, &base.steps);
+    let along = Along::between(base, finer).spread(base, substeps);
+    Left {
+        numbers,
+        along: along.times(of_four()),
+    }
 }
 
 /// The error that given increments leave is at most so many times what [`PINNED`] times as many change.
-pub(super) fn of_four() -> f64 {
+fn of_four() -> f64 {
     let rate = SLOWEST / (1.0 + SLOWEST);
     1.0 / (1.0 - rate * rate)
 }
@@ -135,5 +210,37 @@ fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
                 _ => errors.get(stated),
             });
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// While the first of two steps is not halved, halving the second does not show what the first leaves in it.
+    #[test]
+    fn steps_that_are_not_halved_leave_something_in_those_after_them() {
+        let change = |first: f64, second: f64| {
+            [first, second]
+                .map(|size| vec![Errors::of(|_| Some(size))])
+                .to_vec()
+        };
+        let peak = |of: &[Vec<Errors>]| {
+            let edge = of.get(1).and_then(|edges| edges.first());
+            edge.and_then(|errors| errors.get(Stated::PeakPressure))
+        };
+        let mut changes = Changes::default();
+        changes.keep(&[true, true]);
+        changes.of_numbers(change(4.0, 6.0), &[true, true]);
+        assert_eq!(peak(&changes.kept), None);
+        let first = changes.settled[0][0].get(Stated::PeakPressure);
+        for _ in 0..2 {
+            changes.keep(&[false, true]);
+            let own = changes.of_numbers(change(0.0, 0.0), &[false, true]);
+            assert_eq!(peak(&changes.kept), first);
+            assert!(peak(&own) < first);
+        }
+        changes.keep(&[true, true]);
+        assert_eq!(peak(&changes.kept), None);
     }
 }
