@@ -12,17 +12,14 @@ pub(super) fn peak_at(stated: Stated) -> Option<Stated> {
     }
 }
 
-/// Widens the error of the place of the largest stress among `errors` of the numbers `of` to where the error of that stress, now with all its parts,
-/// reaches: a load path may move that peak from one end of slip to another. The place of the largest pressure keeps the reach of the division's error.
+/// Widens the errors of the places of peaks among `errors` of the numbers `of` to where the errors of those peaks, now with all their parts, reach: a load
+/// path may move the largest stress from one end of slip to another.
 pub(super) fn widen(errors: &mut Table, of: &Numbers) {
     for (step, edges) in errors.iter_mut().enumerate() {
         for (edge, own) in edges.iter_mut().enumerate() {
             let widened = Errors::of(|stated| {
                 let error = own.get(stated)?;
-                if stated != Stated::PeakHoopPlace {
-                    return Some(error);
-                }
-                let of_peak = own.get(Stated::PeakHoop);
+                let of_peak = peak_at(stated).and_then(|peak| own.get(peak));
                 let reach = of_peak.map_or(0.0, |peak| reach(of, [step, edge], stated, peak));
                 Some(error.max(reach))
             });
