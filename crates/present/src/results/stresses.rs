@@ -5,6 +5,7 @@ use stickslip_engine::results::{BodyStresses, Results, StressPeak};
 use stickslip_report::table::Table;
 use stickslip_text::{short, significant};
 
+use super::findings::load_steps;
 use super::quantity::{Quantity, Vector};
 
 /// Part of the larger coordinate of a place below which the other one is rounding.
@@ -42,8 +43,32 @@ pub(super) fn table(results: &Results) -> Option<Table> {
     let rows: Vec<_> = (results.bodies.iter().enumerate())
         .filter_map(row)
         .collect();
-    let table = Table::headed("Largest stresses of the bodies", &headings).with_rows(rows);
+    let table = Table::headed(title(results), &headings).with_rows(rows);
     (!table.rows.is_empty()).then_some(table)
+}
+
+/// With the steps that alone were looked at of some body.
+fn title(results: &Results) -> String {
+    let of_body = |index: usize| -> Vec<usize> {
+        let steps = results.steps.iter().enumerate();
+        let with = steps.filter(|(_, record)| record.stresses.iter().any(|own| own.body == index));
+        with.map(|(step, _)| step + 1).collect()
+    };
+    let bodies = (0..results.bodies.len()).map(of_body);
+    let fewest = bodies
+        .filter(|steps| !steps.is_empty())
+        .min_by_key(Vec::len);
+    let limited = fewest.filter(|steps| steps.len() < results.steps.len());
+    let title = "Largest stresses of the bodies";
+    limited.map_or_else(
+        || title.to_owned(),
+        |steps| {
+            format!(
+                "{title}, without a yield stress in {} alone",
+                load_steps(&steps)
+            )
+        },
+    )
 }
 
 /// The step in which the von Mises stress of the body `index` is largest.
