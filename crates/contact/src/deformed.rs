@@ -89,12 +89,13 @@ pub use curve::{Curve, CurveEnds, CurveShape};
 pub use geometry::is_free_to_turn;
 pub(crate) use geometry::{Geometry, Unfaced};
 
-/// Change of a gap relative to the largest motion of a point, and of a normal `[rad]`, up to which a geometry is settled.
+/// Change of a gap relative to the largest motion of a point against another, or where that is more to a thousandth of how far points are displaced from the
+/// mean of their body, and of a normal `[rad]`, up to which a geometry is settled.
 pub const TOLERANCE: f64 = 1e-6;
 /// Passes after which an increment that does not settle is refused.
 pub const PASSES: usize = 12;
 
-/// Error of a closest point relative to the largest motion of a point up to which an increment is accepted.
+/// Error of a closest point relative to the larger of both up to which an increment is accepted.
 pub const LARGEST_ERROR: f64 = 1e-2;
 
 /// On which geometry contact is found.

@@ -17,7 +17,7 @@ use crate::state::{ContactState, TrialState};
 
 /// Name under which failures of the passes are reported.
 const NAME: &str = "deformed gaps";
-/// See [`size`].
+/// Changes of the geometry are measured by the largest motion, or by so much of how far points are displaced from the mean of their body.
 const LEAST_MOTION: f64 = 1e-3;
 /// Points beside those in contact whose compliance is taken over too, because contact may spread to them.
 const BESIDE: usize = 3;
@@ -55,8 +55,8 @@ struct Found {
     geometry: Geometry,
     /// Change of that from the geometry on which it was found.
     change: f64,
-    /// By what changes are measured `[length]`.
-    size: f64,
+    /// How far points move against each other, and from the mean of their body, at most `[length]`.
+    sizes: [f64; 2],
 }
 
 impl<'a> Passes<'a> {
@@ -186,10 +186,12 @@ impl<'a> Passes<'a> {
         let moved =
             (self.gaps).displacements(self.undeformed, contacts, &record.state, multipliers);
         let geometry = self.geometry(&moved)?;
-        let size = size(&record.state, &moved);
+        let sizes = [record.state.motion.amax(), spread(&moved)];
+        // Where all points stick to each other they move by rounding only.
+        let size = sizes[0].max(LEAST_MOTION * sizes[1]);
         Ok(Found {
             change: self.change((&record.state, size), &geometry),
-            size,
+            sizes,
             record,
             trial,
             moved,
@@ -201,10 +203,10 @@ impl<'a> Passes<'a> {
         let Found {
             mut record,
             geometry,
-            size,
+            sizes,
             ..
         } = found;
-        let error = geometry.error() / size;
+        let error = geometry.error() / sizes[0].max(sizes[1]);
         if error > LARGEST_ERROR {
             return Err(self.refusal(FailureCause::Apart {
                 error,
@@ -282,9 +284,8 @@ impl<'a> Passes<'a> {
     }
 }
 
-/// The largest motion of a point in `state` `[length]`. Where all points stick to each other there is none but rounding; it counts as no less than
-/// [`LEAST_MOTION`] of how far points of a body are displaced from their mean, by `moved`.
-fn size(state: &ContactState, moved: &[DVector<f64>]) -> f64 {
+/// How far points of a body are displaced from their mean, by `moved`, at most along an axis `[length]`.
+fn spread(moved: &[DVector<f64>]) -> f64 {
     let apart = moved.iter().flat_map(|body| {
         (0..2).map(|axis| {
             let along = || body.iter().skip(axis).step_by(2);
@@ -292,6 +293,5 @@ fn size(state: &ContactState, moved: &[DVector<f64>]) -> f64 {
             along().fold(0.0, |most: f64, by| most.max((by - mean).abs()))
         })
     });
-    let apart = apart.fold(0.0, f64::max);
-    state.motion.amax().max(LEAST_MOTION * apart)
+    apart.fold(0.0, f64::max)
 }
