@@ -202,13 +202,15 @@ pub struct StepFailure {
     pub attempts: Vec<(&'static str, FailureCause)>,
     /// Work of all of them.
     pub work: Work,
-    /// The state that met the conditions best, if a solver has one: no solution, and never committed.
+    /// The state that met the conditions best, if a solver has one: no solution, and committed only where cut-back ends and it nearly meets them.
     pub best: Option<Box<Unresolved>>,
 }
 
 /// The best state of a step that no solver solved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unresolved {
+    /// The solver that found it.
+    pub solver: &'static str,
     /// The state.
     pub trial: TrialState,
     /// How far it is from meeting the conditions.

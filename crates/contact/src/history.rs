@@ -24,13 +24,14 @@ use crate::deformed::Kinematics;
 use crate::error::ContactError;
 use crate::interface::Interface;
 use crate::problem::InterfaceProblem;
+use crate::solver::accept::is_near;
 use crate::solver::{FailureCause, InterfaceSolver, StepFailure};
 use crate::state::ContactState;
 use crate::thinned::{Thinned, Whole};
 use crate::uniqueness::uniqueness_bound;
 
 use carry::Carry;
-use course::Course;
+use course::{Course, Means};
 pub use increment::Increment;
 pub use otherwise::{Difference, Missing, Otherwise};
 pub use record::StepRecord;
@@ -313,6 +314,7 @@ impl LoadHistory {
             index,
             target,
             record: start.at_its_end(),
+            nearly: false,
         };
         for substep in 0..self.substeps[index] {
             let ends = [substep, substep + 1].map(|k| k as f64 * walker.whole);
@@ -333,6 +335,8 @@ struct StepPath<'a> {
     index: usize,
     target: &'a [f64],
     record: StepRecord,
+    /// Whether an increment ended in a state that only nearly meets the conditions.
+    nearly: bool,
 }
 
 impl LoadPath for StepPath<'_> {
@@ -343,8 +347,15 @@ impl LoadPath for StepPath<'_> {
     /// was refused.
     fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<Infallible>, StepFailure> {
         let to = (self.history).multipliers(self.index, self.start, self.target, increment.to);
-        let quickly = increment.is_between();
-        (self.course).advance(&mut self.record, self.solver, quickly, &to)?;
+        // Where shorter increments led nowhere once, they are not tried again.
+        let means = if self.nearly {
+            Means::Last
+        } else {
+            Means::of(increment)
+        };
+        let verified = self.record.verified;
+        (self.course).advance(&mut self.record, self.solver, means, &to)?;
+        self.nearly |= means == Means::Last && verified && !self.record.verified;
         let easily = increment.refusals == 0 && increment.steady > 0;
         Ok(if easily {
             Progress::Grow
@@ -359,6 +370,10 @@ impl LoadPath for StepPath<'_> {
 
     fn is_final(refusal: &StepFailure) -> bool {
         refusal.is_stopped()
+    }
+
+    fn was_close(refusal: &StepFailure) -> bool {
+        is_near(refusal)
     }
 
     /// Also where a balance is proved impossible: the history then ends at the largest load that has one.

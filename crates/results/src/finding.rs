@@ -26,7 +26,7 @@ pub enum Finding {
         /// Largest number of such points in a step.
         points: usize,
     },
-    /// An experimental solver returned an answer that does not meet the conditions of contact to rounding.
+    /// An answer does not meet the conditions of contact to rounding: that of an experimental solver, or a state that nearly does where cut-back ended.
     Unverified {
         /// Load steps with such answers.
         steps: Vec<usize>,

@@ -6,9 +6,47 @@ use super::StepRecord;
 use super::passes::{Passes, Taken};
 use super::travel::travelled;
 use crate::deformed::{DeformedGaps, Kinematics};
+use crate::history::LoadIncrement;
 use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
-use crate::solver::{InterfaceSolver, Step, StepFailure};
+use crate::solver::accept::nearly;
+use crate::solver::{InterfaceSolver, Step, StepFailure, StepSolution};
+
+/// What a solver may spend on an increment, and which answer will do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Means {
+    /// Its cheapest means only.
+    Cheapest,
+    /// All of them.
+    All,
+    /// All, and the state that comes closest where that nearly meets the conditions: the alternative is no answer at all.
+    Last,
+}
+
+impl Means {
+    /// Those for `increment`.
+    pub(super) fn of(increment: &LoadIncrement) -> Self {
+        if increment.smallest {
+            Self::Last
+        } else if increment.is_between() {
+            Self::Cheapest
+        } else {
+            Self::All
+        }
+    }
+
+    fn solve(
+        self,
+        solver: &dyn InterfaceSolver,
+        step: &Step<'_>,
+    ) -> Result<StepSolution, StepFailure> {
+        match self {
+            Self::Cheapest => solver.try_quickly(step),
+            Self::All => solver.solve(step),
+            Self::Last => solver.solve(step).or_else(|failure| nearly(step, failure)),
+        }
+    }
+}
 
 /// A problem, and the edges of its pairs where contact is found on the deformed geometry.
 #[derive(Debug)]
@@ -48,15 +86,16 @@ impl<'a> Course<'a> {
         interface.parts().iter().map(course).collect()
     }
 
-    /// Takes `record` from its end to the load multipliers `multipliers` by `solver`, by its cheapest means only if `quickly`.
+    /// Takes `record` from its end to the load multipliers `multipliers` by `solver` and its `means`.
     pub(super) fn advance(
         &self,
         record: &mut StepRecord,
         solver: &dyn InterfaceSolver,
-        quickly: bool,
+        means: Means,
         multipliers: &[f64],
     ) -> Result<(), StepFailure> {
-        let increment = self.increment(record, solver, quickly, multipliers)?;
+        let by = |step: &Step<'_>| means.solve(solver, step);
+        let increment = self.increment(record, by, multipliers)?;
         record.append(increment);
         Ok(())
     }
@@ -64,17 +103,9 @@ impl<'a> Course<'a> {
     fn increment(
         &self,
         from: &StepRecord,
-        solver: &dyn InterfaceSolver,
-        quickly: bool,
+        by: impl Fn(&Step<'_>) -> Result<StepSolution, StepFailure>,
         multipliers: &[f64],
     ) -> Result<StepRecord, StepFailure> {
-        let by = |step: &Step<'_>| {
-            if quickly {
-                solver.try_quickly(step)
-            } else {
-                solver.solve(step)
-            }
-        };
         let Some(Deformed { gaps, last }) = &self.deformed else {
             let ends = [&*from.state.multipliers, multipliers];
             let travelled = travelled(self.problem, &from.state, ends);

@@ -28,7 +28,8 @@ pub struct StepRecord {
     pub work: Work,
     /// Largest residuals of its increments.
     pub residuals: Residuals,
-    /// Whether the conditions of contact were verified in all its increments; only experimental solvers return others.
+    /// Whether the conditions of contact were verified in all its increments; experimental solvers return others, and so does the end of cut-back where the
+    /// best state nearly meets them.
     pub verified: bool,
     /// Largest number of points in doubt in an increment.
     pub doubtful: usize,

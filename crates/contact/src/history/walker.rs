@@ -1,7 +1,7 @@
 //! Follows a load path in increments, for everything that is loaded step by step.
 //!
 //! ```text
-//! refused     the increment is halved, down to a smallest part, or until the work that refusals may cost is spent
+//! refused     the increment is halved, down to a smallest part, or until the work that refusals may cost is spent; if it was close, it is then tried once more as the smallest
 //! accepted    the next one may be twice as long, up to a whole one, if the path says so
 //! ```
 //!
@@ -86,6 +86,11 @@ pub trait LoadPath {
         false
     }
 
+    /// Whether after `refusal` the same increment is worth another try as the smallest, where there are no shorter ones.
+    fn was_close(_refusal: &Self::Refusal) -> bool {
+        false
+    }
+
     /// Takes note of a `refusal` after which a shorter increment is tried.
     fn cut_back(&mut self, refusal: Self::Refusal);
 }
@@ -140,7 +145,22 @@ impl Walker {
                 size,
                 whole: self.whole,
             };
-            match path.attempt(&increment) {
+            let mut attempt = path.attempt(&increment);
+            let mut effort = None;
+            if let Err(refusal) = &attempt
+                && !increment.smallest
+            {
+                let cost = P::cost(refusal);
+                (spent, largest) = (spent + cost, largest.max(cost));
+                effort = self.exceeded(spent, largest);
+                if effort.is_some() && P::was_close(refusal) {
+                    attempt = path.attempt(&LoadIncrement {
+                        smallest: true,
+                        ..increment
+                    });
+                }
+            }
+            match attempt {
                 Ok(progress) => {
                     reached = increment.to;
                     steady = if refusals == 0 { steady + 1 } else { 0 };
@@ -152,12 +172,6 @@ impl Walker {
                     }
                 }
                 Err(refusal) => {
-                    let mut effort = None;
-                    if !increment.smallest {
-                        let cost = P::cost(&refusal);
-                        (spent, largest) = (spent + cost, largest.max(cost));
-                        effort = self.exceeded(spent, largest);
-                    }
                     if increment.smallest || effort.is_some() || P::is_final(&refusal) {
                         return Err(Blocked {
                             reached,
@@ -278,6 +292,39 @@ mod tests {
         };
         assert_eq!((blocked.reached, blocked.effort), (0.0, Some(effort)));
         assert_eq!(path.refused, 2);
+    }
+
+    /// Where refusals have cost what they may, the increment is tried once more as the smallest, which is accepted here.
+    #[test]
+    fn what_would_be_the_end_is_tried_as_the_smallest() {
+        struct Lenient(Vec<f64>);
+        impl LoadPath for Lenient {
+            type End = ();
+            type Refusal = ();
+
+            fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<()>, ()> {
+                self.0.push(increment.to - increment.from);
+                increment.smallest.then_some(Progress::Keep).ok_or(())
+            }
+
+            fn cost((): &()) -> u64 {
+                7
+            }
+
+            fn was_close((): &()) -> bool {
+                true
+            }
+
+            fn cut_back(&mut self, (): ()) {}
+        }
+        let walker = Walker {
+            whole: 0.5,
+            effort: Some(20),
+            ..WHOLE
+        };
+        let mut path = Lenient(Vec::new());
+        assert_eq!(walker.walk([0.0, 0.25], &mut path), Ok(None));
+        assert_eq!(path.0[..4], [0.25, 0.125, 0.0625, 0.0625]);
     }
 
     /// The end of a walk is met exactly, whatever the sum of its increments.

@@ -63,7 +63,11 @@ impl<'a> Attempt<'a> {
                 .is_none_or(|best| size < best.residuals.largest())
         {
             let trial = trial.clone();
-            self.best = Some(Box::new(Unresolved { trial, residuals }));
+            self.best = Some(Box::new(Unresolved {
+                solver: self.name,
+                trial,
+                residuals,
+            }));
         }
         residuals
     }

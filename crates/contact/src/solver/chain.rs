@@ -144,7 +144,11 @@ fn verified(member: &dyn InterfaceSolver, step: &Step<'_>) -> Result<StepSolutio
     } = solution;
     let violation = residuals.largest();
     let failure = StepFailure::new(solver, FailureCause::Inaccurate { violation }, work);
-    Err(failure.with_best(Some(Box::new(Unresolved { trial, residuals }))))
+    Err(failure.with_best(Some(Box::new(Unresolved {
+        solver,
+        trial,
+        residuals,
+    }))))
 }
 
 /// The solution nearest to the last accepted state where there may be several and few points touch; `solution` elsewhere, at

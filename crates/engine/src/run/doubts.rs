@@ -69,7 +69,7 @@ pub(super) fn of_outlines(
     edges.iter().enumerate().filter_map(of_edge).collect()
 }
 
-/// Where the answer of an experimental solver is not verified.
+/// Where an answer is not verified.
 pub(super) fn of_verification(records: &[StepRecord]) -> Option<Finding> {
     let steps = steps_where(records, |record| !record.verified)?;
     let (solvers, residual) = unverified(records)?;

@@ -32,8 +32,8 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             solvers,
             residual,
         } => format!(
-            "The answer is not verified in {}: the experimental solver {} leaves a residual of up to {residual:.1e} in the conditions of \
-             contact and friction, where others stop below 1e-10.",
+            "The answer is not verified in {}: {} left a residual of up to {residual:.1e} in the conditions of contact and friction, where \
+             verified answers have less than 1e-10.",
             load_steps(steps),
             quoted(solvers)
         ),
@@ -348,7 +348,7 @@ fn mesh_file(body: &str, notes: &[FileNote]) -> String {
 }
 
 /// "load step 3", or ascending numbers with runs shortened: "load steps 2–5, 9".
-fn load_steps(steps: &[usize]) -> String {
+pub(super) fn load_steps(steps: &[usize]) -> String {
     let runs = steps.chunk_by(|a, b| a + 1 == *b);
     let shown = runs.map(|run| match run {
         [first, .., last] => format!("{first}–{last}"),

@@ -293,6 +293,51 @@ fn answers_that_are_not_verified_are_reported() {
     assert!((1e-10..1.0).contains(residual), "{residual}");
 }
 
+/// A plate that turns freely about its pin under a load that one node bears: its normal turns with the strains, and no statuses balance it to rounding. That is an answer
+/// with a residual, and not the end.
+#[test]
+fn a_load_that_one_node_bears_is_answered_with_its_residual() {
+    let found = solved(
+        r#"
+version = 1
+analysis = { kinematics = "deformed-gaps", contact_nodes = 31, substeps = 1 }
+materials.plate.orthotropic = { e1 = "70 GPa", e2 = "64 GPa", g12 = "25.9 GPa", nu12 = 0.3, angle = "16 deg" }
+materials.pin.isotropic = { young = "74.6 GPa", poisson = 0.31 }
+bodies.pin = { material = "pin", thickness = "2 mm", shape.disk.radius = "4.893 mm" }
+[bodies.plate]
+material = "plate"
+thickness = "2 mm"
+[bodies.plate.shape.plate_with_hole]
+hole_radius = "5 mm"
+outline.strip = { half_width = "18 mm", left = "26 mm", right = "29 mm" }
+[[contacts]]
+first = "plate.hole"
+second = "pin.rim"
+friction.coulomb = { mu = 0.44 }
+[[supports]]
+on = "pin.centre"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.left"
+force = { direction = [-1, 0], steps = ["0.5 N"] }
+[output]
+fields = "none"
+figures = false
+"#,
+        &[],
+    );
+    let unverified = found.findings.iter().find_map(|finding| match finding {
+        Finding::Unverified { residual, .. } => Some(*residual),
+        _ => None,
+    });
+    assert!(
+        (1e-10..1e-6).contains(&unverified.unwrap()),
+        "{unverified:?}"
+    );
+    let force = found.steps[0].edges[0].normal_force;
+    assert!((force - 0.5).abs() < 1e-6, "{force}");
+}
+
 /// A soft pin in a hole, with the numbers of a scene that random trials found.
 fn pressed_pin(spacing: &str, loads: &str) -> String {
     format!(

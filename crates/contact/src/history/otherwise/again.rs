@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use super::found::{Difference, Missing};
-use crate::history::course::Course;
+use crate::history::course::{Course, Means};
 use crate::history::stages::Stages;
 use crate::history::{LoadHistory, StepRecord};
 use crate::problem::InterfaceProblem;
@@ -127,7 +127,7 @@ impl<'a> Again<'a> {
             let part = part as f64 / increments as f64;
             let start = &self.start().state;
             let multipliers = self.history.multipliers(self.index, start, target, part);
-            let advanced = self.course.advance(&mut walk, solver, false, &multipliers);
+            let advanced = (self.course).advance(&mut walk, solver, Means::All, &multipliers);
             advanced.ok()?;
         }
         Some(walk)
