@@ -9,6 +9,8 @@ use stickslip_engine::run::Solved;
 use stickslip_engine::run::seats::Faced;
 use stickslip_engine::series::is_isotropic;
 
+/// Part of a largest stress beyond which the error of its fit is useless: fits through few nodes at several ends of stick overshot it by half of it and more.
+const UNKNOWN: f64 = 0.25;
 /// Nodes that are looked at on either side of an end of contact.
 const REACH: i64 = 5;
 
@@ -114,7 +116,9 @@ impl<'a> Walk<'a> {
 
     /// Puts what lies between nodes into `results`, and returns the errors of these numbers.
     fn improve(&self, results: &mut EdgeResults) -> Errors {
-        let peak = results.peak_hoop.and_then(|_| self.peak());
+        // A fit that knows its value no better says less than the largest node.
+        let is_known = |&(value, _, error): &(f64, f64, f64)| error <= UNKNOWN * value.abs();
+        let peak = results.peak_hoop.and_then(|_| self.peak()).filter(is_known);
         if let Some((value, place, _)) = peak {
             results.peak_hoop = Some((value, place));
         }
