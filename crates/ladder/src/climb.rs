@@ -9,7 +9,7 @@ use crate::geometry::Geometry;
 use crate::grading::Grading;
 use crate::level::Level;
 use crate::models::{Division, Models};
-use crate::numbers::{Numbers, Table, sum};
+use crate::numbers::{Numbers, Table, above_rounding, sum};
 use crate::path::{self, Changes, Halved, Left};
 use crate::worst::{Worst, worst, worst_of_step};
 use crate::{division, failure, places, stated, unseen};
@@ -125,6 +125,7 @@ impl Climb<'_> {
         let mut all = sum(&sum(&divided, &path.numbers), &geometry.errors);
         if let Some(last) = levels.last() {
             places::widen(&mut all, &last.numbers);
+            above_rounding(&mut all, &last.numbers);
         }
         all
     }

@@ -21,6 +21,8 @@ pub(super) struct Numbers {
     pub(super) spacings: Vec<f64>,
 }
 
+/// Part of a number that rounding may leave.
+const ROUNDING: f64 = 1e-12;
 /// Part of the friction along an edge below which its force is what a division leaves of friction that balances itself.
 const BALANCED: f64 = 0.05;
 
@@ -64,6 +66,22 @@ pub(super) fn sum(one: &Table, other: &Table) -> Table {
         (Some(one), Some(other)) => Some(one + other),
         (one, _) => one,
     })
+}
+
+/// Raises errors that are not zero to what rounding leaves of the numbers `of`.
+pub(super) fn above_rounding(errors: &mut Table, of: &Numbers) {
+    let edges = errors.iter_mut().flatten().zip(of.steps.iter().flatten());
+    for (errors, edge) in edges {
+        *errors = Errors::of(|stated| {
+            let error = errors.get(stated)?;
+            let rounding = ROUNDING * stated.value(edge).map_or(0.0, f64::abs);
+            Some(if error > 0.0 {
+                error.max(rounding)
+            } else {
+                0.0
+            })
+        });
+    }
 }
 
 /// The errors of both tables joined; the second one may be empty.
