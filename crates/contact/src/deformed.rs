@@ -89,7 +89,7 @@ pub use curve::{Curve, CurveEnds, CurveShape};
 pub use geometry::is_free_to_turn;
 pub(crate) use geometry::{Geometry, Unfaced};
 
-/// Change of a gap relative to the largest motion of a point against another, or where that is more to a thousandth of how far points are displaced from the
+/// Change of a gap relative to the largest motion of a point against another, or where that is more to a hundredth of how far points are displaced from the
 /// mean of their body, and of a normal `[rad]`, up to which a geometry is settled.
 pub const TOLERANCE: f64 = 1e-6;
 /// Passes after which an increment that does not settle is refused.

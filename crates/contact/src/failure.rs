@@ -151,7 +151,7 @@ pub enum FailureCause {
     },
     /// Bodies have moved so far along each other that the closest points are not known well.
     #[error(
-        "closest points of the deformed edges are known to {error:.1e} of the largest motion, more than {limit:.0e}: bodies moved too far along \
+        "closest points of the deformed edges are known to {error:.1e} of the motion of points, more than {limit:.0e}: bodies moved too far along \
          each other"
     )]
     Apart {

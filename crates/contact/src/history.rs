@@ -335,7 +335,7 @@ struct StepPath<'a> {
     index: usize,
     target: &'a [f64],
     record: StepRecord,
-    /// Whether an increment ended in a state that only nearly meets the conditions.
+    /// Whether the last increment ended in a state that only nearly meets the conditions.
     nearly: bool,
 }
 
@@ -347,15 +347,14 @@ impl LoadPath for StepPath<'_> {
     /// was refused.
     fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<Infallible>, StepFailure> {
         let to = (self.history).multipliers(self.index, self.start, self.target, increment.to);
-        // Where shorter increments led nowhere once, they are not tried again.
+        // Where shorter increments led nowhere, those are not tried right after.
         let means = if self.nearly {
             Means::Last
         } else {
             Means::of(increment)
         };
-        let verified = self.record.verified;
-        (self.course).advance(&mut self.record, self.solver, means, &to)?;
-        self.nearly |= means == Means::Last && verified && !self.record.verified;
+        let verified = (self.course).advance(&mut self.record, self.solver, means, &to)?;
+        self.nearly = means == Means::Last && !verified;
         let easily = increment.refusals == 0 && increment.steady > 0;
         Ok(if easily {
             Progress::Grow

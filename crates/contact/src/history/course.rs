@@ -86,18 +86,19 @@ impl<'a> Course<'a> {
         interface.parts().iter().map(course).collect()
     }
 
-    /// Takes `record` from its end to the load multipliers `multipliers` by `solver` and its `means`.
+    /// Takes `record` from its end to the load multipliers `multipliers` by `solver` and its `means`; whether its end is verified.
     pub(super) fn advance(
         &self,
         record: &mut StepRecord,
         solver: &dyn InterfaceSolver,
         means: Means,
         multipliers: &[f64],
-    ) -> Result<(), StepFailure> {
+    ) -> Result<bool, StepFailure> {
         let by = |step: &Step<'_>| means.solve(solver, step);
         let increment = self.increment(record, by, multipliers)?;
+        let verified = increment.verified;
         record.append(increment);
-        Ok(())
+        Ok(verified)
     }
 
     fn increment(

@@ -17,8 +17,8 @@ use crate::state::{ContactState, TrialState};
 
 /// Name under which failures of the passes are reported.
 const NAME: &str = "deformed gaps";
-/// Changes of the geometry are measured by the largest motion, or by so much of how far points are displaced from the mean of their body.
-const LEAST_MOTION: f64 = 1e-3;
+/// Changes and errors of the geometry are measured by the largest motion, or by so much of how far points are displaced from the mean of their body.
+const LEAST_MOTION: f64 = 1e-2;
 /// Points beside those in contact whose compliance is taken over too, because contact may spread to them.
 const BESIDE: usize = 3;
 
@@ -55,8 +55,8 @@ struct Found {
     geometry: Geometry,
     /// Change of that from the geometry on which it was found.
     change: f64,
-    /// How far points move against each other, and from the mean of their body, at most `[length]`.
-    sizes: [f64; 2],
+    /// By what changes are measured `[length]`.
+    size: f64,
 }
 
 impl<'a> Passes<'a> {
@@ -186,12 +186,15 @@ impl<'a> Passes<'a> {
         let moved =
             (self.gaps).displacements(self.undeformed, contacts, &record.state, multipliers);
         let geometry = self.geometry(&moved)?;
-        let sizes = [record.state.motion.amax(), spread(&moved)];
         // Where all points stick to each other they move by rounding only.
-        let size = sizes[0].max(LEAST_MOTION * sizes[1]);
+        let size = record
+            .state
+            .motion
+            .amax()
+            .max(LEAST_MOTION * spread(&moved));
         Ok(Found {
             change: self.change((&record.state, size), &geometry),
-            sizes,
+            size,
             record,
             trial,
             moved,
@@ -203,10 +206,10 @@ impl<'a> Passes<'a> {
         let Found {
             mut record,
             geometry,
-            sizes,
+            size,
             ..
         } = found;
-        let error = geometry.error() / sizes[0].max(sizes[1]);
+        let error = geometry.error() / size;
         if error > LARGEST_ERROR {
             return Err(self.refusal(FailureCause::Apart {
                 error,

@@ -147,18 +147,21 @@ impl Walker {
             };
             let mut attempt = path.attempt(&increment);
             let mut effort = None;
-            if let Err(refusal) = &attempt
-                && !increment.smallest
-            {
-                let cost = P::cost(refusal);
-                (spent, largest) = (spent + cost, largest.max(cost));
-                effort = self.exceeded(spent, largest);
-                if effort.is_some() && P::was_close(refusal) {
-                    attempt = path.attempt(&LoadIncrement {
+            if let Err(refusal) = attempt {
+                if !increment.smallest {
+                    let cost = P::cost(&refusal);
+                    (spent, largest) = (spent + cost, largest.max(cost));
+                    effort = self.exceeded(spent, largest);
+                }
+                attempt = if effort.is_some() && P::was_close(&refusal) {
+                    path.cut_back(refusal);
+                    path.attempt(&LoadIncrement {
                         smallest: true,
                         ..increment
-                    });
-                }
+                    })
+                } else {
+                    Err(refusal)
+                };
             }
             match attempt {
                 Ok(progress) => {
