@@ -81,15 +81,11 @@ impl Along {
         }
     }
 
-    /// At every node the largest error no farther away than contact grows in one of the `substeps` of the load step or of one before it; `of` are the numbers
+    /// At every node the largest error no farther away than contact grows in an increment of the load step or of one before it, of which there are `counts`; `of` are the numbers
     /// at the same nodes. Each increment leaves a kink in friction, which stays, and those of half as many may cross there.
-    pub(super) fn spread(self, of: &Numbers, substeps: &[usize]) -> Self {
+    pub(super) fn spread(self, of: &Numbers, counts: &[f64]) -> Self {
         self.over(|step, edge| {
-            let steps = of.steps.iter().zip(substeps).take(step + 1);
-            let growth = steps.map(|(edges, &count)| {
-                let extent = Stated::ContactExtent.value(&edges[edge]);
-                extent.unwrap_or(0.0) / count as f64
-            });
+            let growth = (0..=step).map(|step| touching(of, [step, edge]) / counts[step]);
             let growth = growth.fold(0.0, f64::max);
             move |_| growth
         })
@@ -238,6 +234,20 @@ fn joined_edges(
         *own = joined(*own, *other, &join);
     }
     one
+}
+
+/// How far contact reaches on an edge in a step: half of it where its extent is known, else from its first node to its last.
+fn touching(of: &Numbers, [step, edge]: [usize; 2]) -> f64 {
+    let (results, geometry) = (&of.steps[step][edge], &of.own[step][edge]);
+    if let Some(extent) = Stated::ContactExtent.value(results) {
+        return extent;
+    }
+    let rows = results.rows.iter().zip(&geometry.parameter);
+    let mut places = rows
+        .filter(|(row, _)| row.status.touches())
+        .map(|(_, at)| *at);
+    let first = places.next();
+    first.map_or(0.0, |first| places.next_back().unwrap_or(first) - first)
 }
 
 /// The nodes of every step and edge.

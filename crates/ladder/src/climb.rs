@@ -9,7 +9,7 @@ use crate::geometry::Geometry;
 use crate::grading::Grading;
 use crate::level::Level;
 use crate::models::{Division, Models};
-use crate::numbers::{Numbers, Table, above_rounding, sum};
+use crate::numbers::{Numbers, Table, above_rounding, sum, zipped};
 use crate::path::{self, Changes, Halved, Left};
 use crate::worst::{Worst, worst, worst_of_step};
 use crate::{division, failure, places, stated, unseen};
@@ -25,8 +25,8 @@ const LEAST: usize = 8;
 const INCREMENTS: usize = 64;
 /// The increments may take this part of what is asked.
 const PATH_SHARE: f64 = 0.5;
-/// Errors of less than so many times what the load path leaves, where that is too much, are not worth a finer division.
-const MOSTLY: f64 = 1.5;
+/// Where the load path leaves too much, no finer division is tried for other errors of less than this part of that.
+const SMALL: f64 = 0.5;
 /// The undeformed geometry may take this part of what is asked.
 const GEOMETRY_SHARE: f64 = 0.3;
 /// Budget of a scene that asks for no accuracy `[s]`.
@@ -277,20 +277,24 @@ impl Climb<'_> {
         }
     }
 
-    /// The steps of `level` that more increments have to divide after those that left `found`: those with too large an error, and where it is left by
-    /// steps before, or they have [`INCREMENTS`], the steps before them.
+    /// The steps of `level` that more increments have to divide after those that left `found`: those with too large an error, and those before them that may have left it, where it is
+    /// not their own or they have [`INCREMENTS`].
     fn to_halve(&self, level: &Level, found: &Halved) -> Vec<bool> {
         let is_large = |errors: &Table, step: usize| {
             let worst = worst_of_step(&level.numbers, errors, self.bounds(), step);
             self.asked.is_some() && worst.is_some_and(|worst| worst.part > PATH_SHARE)
         };
         let substeps = &level.substeps;
-        let steps = 0..substeps.len();
-        let mut halved: Vec<bool> = steps.map(|step| is_large(&found.own, step)).collect();
-        let is_settled = |step: usize| !halved[step] || substeps[step] >= INCREMENTS;
-        let mut steps = 0..substeps.len();
-        let last = steps.rfind(|&step| is_settled(step) && is_large(&found.left.numbers, step));
-        halved[..last.unwrap_or(0)].fill(true);
+        let mut halved = vec![false; substeps.len()];
+        for step in 0..substeps.len() {
+            halved[step] |= is_large(&found.own, step);
+            let is_spent = halved[step] && substeps[step] >= INCREMENTS;
+            if is_spent || is_large(&found.before, step) {
+                for other in 0..step {
+                    halved[other] |= is_large(&found.shared(step, other), step);
+                }
+            }
+        }
         for (half, &count) in halved.iter_mut().zip(substeps) {
             let is_coarse = count < LEAST * self.scene.analysis.substeps();
             *half = (*half || is_coarse) && count < INCREMENTS;
@@ -342,11 +346,15 @@ impl Climb<'_> {
     /// load path `left` smaller.
     fn end(&mut self, levels: &[Level], errors: &Table, left: &Table) -> Option<LadderEnd> {
         let last = levels.last()?;
-        let [worst, left] =
-            [errors, left].map(|errors| worst(&last.numbers, errors, self.bounds()));
-        let is_left = worst
-            .zip(left)
-            .is_some_and(|(worst, left)| left.part > 1.0 && worst.part < MOSTLY * left.part);
+        let worst_of = |errors: &Table| worst(&last.numbers, errors, self.bounds());
+        let worst = worst_of(errors);
+        // Numbers without a limit have no error, and do not count.
+        let left = zipped(errors, left, |own, left| left.filter(|_| own.is_some()));
+        let others = zipped(errors, &left, |own, left| Some(own? - left.unwrap_or(0.0)));
+        let part = |worst: Option<Worst>| worst.map_or(0.0, |worst| worst.part);
+        let [left, others] = [left, others].map(|errors| part(worst_of(&errors)));
+        let is_pinned = self.scene.analysis.substeps.is_some();
+        let is_left = !is_pinned && left > 1.0 && others < SMALL * left;
         let error = worst.map(Worst::named);
         let is_known =
             |rung: &Rung| (&rung.model, &rung.increments) == (&last.division, &last.substeps);
@@ -362,11 +370,14 @@ impl Climb<'_> {
             Some(LadderEnd::Budget)
         } else if self.models.division() == Division::Pinned {
             Some(LadderEnd::Pinned)
+        } else if is_left && self.asked.is_some() {
+            Some(LadderEnd::LoadPath)
         } else if self.is_spent(last) {
             Some(LadderEnd::Budget)
         } else {
-            let is_finest = is_left || self.models.is_finest(last.rung);
-            is_finest.then_some(LadderEnd::Finest)
+            self.models
+                .is_finest(last.rung)
+                .then_some(LadderEnd::Finest)
         }
     }
 

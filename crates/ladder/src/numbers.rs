@@ -75,10 +75,10 @@ pub(super) fn above_rounding(errors: &mut Table, of: &Numbers) {
         *errors = Errors::of(|stated| {
             let error = errors.get(stated)?;
             let rounding = ROUNDING * stated.value(edge).map_or(0.0, f64::abs);
-            Some(if error > 0.0 {
-                error.max(rounding)
+            Some(if error == 0.0 {
+                error
             } else {
-                0.0
+                error.max(rounding)
             })
         });
     }

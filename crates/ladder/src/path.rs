@@ -39,8 +39,20 @@ pub(super) struct Left {
 /// The same after some steps were halved.
 pub(super) struct Halved {
     pub(super) left: Left,
-    /// The errors of numbers that halving the step itself makes smaller.
+    /// Errors of numbers from when a step was last halved itself.
     pub(super) own: Table,
+    /// What steps before it leave beside that.
+    pub(super) before: Table,
+}
+
+impl Halved {
+    /// What the step `other` may leave in the step `step`, which has no errors but these: the smaller ones of both.
+    pub(super) fn shared(&self, step: usize, other: usize) -> Table {
+        let all = sum(&self.own, &self.before);
+        let mut shared = vec![Vec::new(); step];
+        shared.push(joined(&all[step], &all[other], smaller));
+        shared
+    }
 }
 
 /// The changes of numbers while increments are halved.
@@ -51,7 +63,9 @@ pub(super) struct Changes {
     left: Table,
     /// The errors of steps when they were last halved.
     settled: Table,
-    /// What steps leave in those after them since they are not halved any more.
+    /// What halving steps before it changed last in a step that was not halved.
+    shown: Table,
+    /// What steps that are not halved leave in those after them, which are.
     kept: Table,
     /// Errors along edges.
     along: Along,
@@ -67,71 +81,94 @@ impl Changes {
         halved: &[bool],
         substeps: &[usize],
     ) -> Halved {
-        self.keep(halved);
-        let changed = Along::between(finer, base).spread(finer, substeps);
+        let counts: Vec<f64> = substeps.iter().map(|&count| count as f64).collect();
+        let changed = Along::between(finer, base).spread(finer, &counts);
         self.along_kept = self.along.kept(&self.along_kept, halved);
         self.along = changed.times(PATH).beside(&self.along, halved);
-        let all = self.of_numbers(difference(finer, base), halved);
-        let [mut numbers, mut own] = [sum(&all, &self.kept), all];
-        adjust(&mut numbers, &finer.steps);
+        self.add(difference(finer, base), halved);
+        let (mut own, before) = (self.settled.clone(), self.before());
+        let mut numbers = sum(&own, &before);
         adjust(&mut own, &finer.steps);
+        keep_forces(&mut numbers);
+        adjust(&mut numbers, &finer.steps);
         let along = self.along.and(&self.along_kept);
         Halved {
             left: Left { numbers, along },
             own,
+            before,
         }
     }
 
-    /// The errors of numbers that `change`, without what is kept.
-    fn of_numbers(&mut self, change: Table, halved: &[bool]) -> Table {
+    /// What steps before each step leave in it beside what it settled at.
+    fn before(&self) -> Table {
+        zipped(&self.shown, &self.kept, |shown, kept| {
+            shown
+                .into_iter()
+                .chain(kept)
+                .reduce(|one, other| one + other)
+        })
+    }
+
+    /// Takes note of the `change` of numbers that halving the steps `halved` made.
+    fn add(&mut self, change: Table, halved: &[bool]) {
         let geometric = zipped(&change, &self.last, error);
         let own = zipped(&geometric, &self.left, |error, left| {
             Some(error?.max(left.unwrap_or(0.0)))
         });
-        let mut errors = sum(&geometric, &self.settled);
-        self.settled.resize(own.len(), Vec::new());
-        for (step, own) in own
-            .into_iter()
-            .enumerate()
-            .filter(|(step, _)| halved[*step])
-        {
-            errors[step].clone_from(&own);
-            self.settled[step] = own;
+        if self.settled.is_empty() {
+            let none: Table = own
+                .iter()
+                .map(|edges| edges.iter().map(|_| Errors::default()).collect())
+                .collect();
+            self.settled.clone_from(&none);
+            self.shown.clone_from(&none);
+            self.kept = none;
+        }
+        let all = sum(&self.settled, &self.before());
+        for step in 0..halved.len() {
+            let (before, is_shown) = (&halved[..step], halved[..step].contains(&true));
+            if halved[step] {
+                // Halving this step does not show what those leave that are not.
+                let unseen = (0..step).filter(|&other| !before[other]);
+                let unseen = unseen.map(|other| joined(&all[step], &all[other], smaller));
+                self.kept[step] = unseen.fold(self.kept[step].clone(), |most, own| {
+                    joined(&most, &own, larger)
+                });
+                self.settled[step].clone_from(&own[step]);
+                self.shown[step].fill(Errors::default());
+            } else if is_shown {
+                self.shown[step].clone_from(&geometric[step]);
+            }
+            if is_shown && !before.contains(&false) {
+                self.kept[step].fill(Errors::default());
+            }
         }
         self.left = zipped(&change, &self.left, |change, left| {
             Some(0.5 * change?.max(left.unwrap_or(0.0)))
         });
         self.last = change;
-        errors
-    }
-
-    /// Keeps what steps that are not `halved` leave in those after them, which halving these does not show.
-    fn keep(&mut self, halved: &[bool]) {
-        self.kept.resize(self.settled.len(), Vec::new());
-        for step in 0..self.settled.len() {
-            let before = (0..step).filter(|&other| !halved[other]);
-            let left = before.map(|other| {
-                let both = self.settled[step].iter().zip(&self.settled[other]);
-                both.map(|(own, other)| {
-                    Errors::of(|stated| Some(own.get(stated)?.min(other.get(stated)?)))
-                })
-                .collect::<Vec<Errors>>()
-            });
-            self.kept[step] = match left.reduce(larger) {
-                None => Vec::new(),
-                Some(left) if halved[step] => larger(left, self.kept[step].clone()),
-                Some(_) => continue,
-            };
-        }
     }
 }
 
-/// The larger ones of the errors of edges, of which the second may be empty.
-fn larger(one: Vec<Errors>, other: Vec<Errors>) -> Vec<Errors> {
-    let joined = zipped(&vec![one], &vec![other], |one, other| {
-        Some(one?.max(other.unwrap_or(0.0)))
-    });
-    joined.into_iter().flatten().collect()
+/// The errors of the edges of two steps, joined.
+fn joined(
+    one: &[Errors],
+    other: &[Errors],
+    join: fn(Option<f64>, Option<f64>) -> Option<f64>,
+) -> Vec<Errors> {
+    let both = one.iter().zip(other);
+    both.map(|(one, other)| Errors::of(|stated| join(one.get(stated), other.get(stated))))
+        .collect()
+}
+
+/// The larger one of two errors, or the one that there is.
+fn larger(one: Option<f64>, other: Option<f64>) -> Option<f64> {
+    one.into_iter().chain(other).reduce(f64::max)
+}
+
+/// The smaller one of two errors.
+fn smaller(one: Option<f64>, other: Option<f64>) -> Option<f64> {
+    Some(one?.min(other?))
 }
 
 /// What given increments leave, by what [`PINNED`] times as many change, those of `finer`.
@@ -140,8 +177,14 @@ pub(super) fn of_pinned(finer: &Numbers, base: &Numbers, substeps: &[usize]) -> 
     let mut numbers = zipped(&change, &Table::new(), |change, _| {
         Some(of_four() * change?)
     });
+    keep_forces(&mut numbers);
     adjust(&mut numbers, &base.steps);
-    let along = Along::between(base, finer).spread(base, substeps);
+    // Of a ramp that may be linear the first increment of contact is √n times that of n equal ones.
+    let counts: Vec<f64> = substeps
+        .iter()
+        .map(|&count| (count as f64).sqrt())
+        .collect();
+    let along = Along::between(base, finer).spread(base, &counts);
     Left {
         numbers,
         along: along.times(of_four()),
@@ -185,7 +228,6 @@ fn keep_forces(errors: &mut Table) {
 /// The friction force takes [`FRICTION`] times its error. The extents of stick and slip are those of nodes, which hide small changes: they are off by the part of stick by
 /// which friction is off.
 fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
-    keep_forces(errors);
     for (errors, step) in errors.iter_mut().zip(steps) {
         for (errors, edge) in errors.iter_mut().zip(step) {
             let force = errors.get(Stated::FrictionForce);
@@ -217,30 +259,57 @@ fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
 mod tests {
     use super::*;
 
-    /// While the first of two steps is not halved, halving the second does not show what the first leaves in it.
+    fn change(sizes: [f64; 3]) -> Table {
+        sizes.map(|size| vec![Errors::of(|_| Some(size))]).to_vec()
+    }
+
+    /// What steps before the one `step` leave in it.
+    fn before(changes: &Changes, step: usize) -> f64 {
+        changes.before()[step][0]
+            .get(Stated::PeakPressure)
+            .unwrap_or(0.0)
+    }
+
+    fn settled(changes: &Changes, step: usize) -> f64 {
+        changes.settled[step][0].get(Stated::PeakPressure).unwrap()
+    }
+
+    /// While the first of three steps is not halved, halving the second does not show what the first leaves in it, and while both are not, neither does
+    /// halving the third.
     #[test]
     fn steps_that_are_not_halved_leave_something_in_those_after_them() {
-        let change = |first: f64, second: f64| {
-            [first, second]
-                .map(|size| vec![Errors::of(|_| Some(size))])
-                .to_vec()
-        };
-        let peak = |of: &[Vec<Errors>]| {
-            let edge = of.get(1).and_then(|edges| edges.first());
-            edge.and_then(|errors| errors.get(Stated::PeakPressure))
-        };
         let mut changes = Changes::default();
-        changes.keep(&[true, true]);
-        changes.of_numbers(change(4.0, 6.0), &[true, true]);
-        assert_eq!(peak(&changes.kept), None);
-        let first = changes.settled[0][0].get(Stated::PeakPressure);
+        changes.add(change([4.0, 6.0, 2.0]), &[true, true, true]);
+        assert_eq!([1, 2].map(|step| before(&changes, step)), [0.0, 0.0]);
+        let first = settled(&changes, 0);
         for _ in 0..2 {
-            changes.keep(&[false, true]);
-            let own = changes.of_numbers(change(0.0, 0.0), &[false, true]);
-            assert_eq!(peak(&changes.kept), first);
-            assert!(peak(&own) < first);
+            changes.add(change([0.0, 0.0, 0.0]), &[false, true, false]);
+            assert_eq!(before(&changes, 1), first);
+            assert!(settled(&changes, 1) < first);
         }
-        changes.keep(&[true, true]);
-        assert_eq!(peak(&changes.kept), None);
+        let third = settled(&changes, 2);
+        changes.add(change([0.0, 0.0, 0.0]), &[false, false, true]);
+        assert_eq!(before(&changes, 2), third);
+        changes.add(change([1.0, 0.1, 0.1]), &[true, true, true]);
+        assert_eq!([1, 2].map(|step| before(&changes, step)), [0.0, 0.0]);
+    }
+
+    /// What halving the first step showed in the second stays when only the second is halved after that, as far as the first may still leave it.
+    #[test]
+    fn what_halving_a_step_showed_stays() {
+        let mut changes = Changes::default();
+        changes.add(change([4.0, 6.0, 0.0]), &[true, true, false]);
+        for size in [0.2, 0.1, 0.05] {
+            changes.add(change([0.0, size, 0.0]), &[false, true, false]);
+        }
+        changes.add(change([1.0, 1.5, 0.0]), &[true, false, false]);
+        let shown = before(&changes, 1);
+        assert!(shown >= 1.5);
+        changes.add(change([0.0, 0.02, 0.0]), &[false, true, false]);
+        assert!(before(&changes, 1) >= settled(&changes, 0).min(shown));
+        // A step that nothing touched keeps what it had.
+        let kept = before(&changes, 1);
+        changes.add(change([0.0, 0.0, 0.5]), &[false, false, true]);
+        assert_eq!(before(&changes, 1), kept);
     }
 }

@@ -9,7 +9,7 @@ use stickslip_engine::run::Solved;
 use stickslip_engine::run::seats::Faced;
 use stickslip_engine::series::is_isotropic;
 
-/// Part of a largest stress beyond which the error of its fit is useless: fits through few nodes at several ends of stick overshot it by half of it and more.
+/// Part of a largest stress, or of the largest pressure, beyond which the error of its fit is useless: fits through few nodes at several ends of stick overshot it by half of it and more.
 const UNKNOWN: f64 = 0.25;
 /// Nodes that are looked at on either side of an end of contact.
 const REACH: i64 = 5;
@@ -117,7 +117,9 @@ impl<'a> Walk<'a> {
     /// Puts what lies between nodes into `results`, and returns the errors of these numbers.
     fn improve(&self, results: &mut EdgeResults) -> Errors {
         // A fit that knows its value no better says less than the largest node.
-        let is_known = |&(value, _, error): &(f64, f64, f64)| error <= UNKNOWN * value.abs();
+        let pressure = results.peak_pressure.map_or(0.0, |(peak, _)| peak);
+        let is_known =
+            |&(value, _, error): &(f64, f64, f64)| error <= UNKNOWN * value.abs().max(pressure);
         let peak = results.peak_hoop.and_then(|_| self.peak()).filter(is_known);
         if let Some((value, place, _)) = peak {
             results.peak_hoop = Some((value, place));

@@ -256,6 +256,8 @@ pub enum LadderEnd {
     Budget,
     /// The finest model that is tried.
     Finest,
+    /// What the increments of load steps leave is too much, and nearly all.
+    LoadPath,
     /// No error is stated: what gaps on the deformed geometry would change was to be found and was not.
     Unchecked,
 }
@@ -268,6 +270,7 @@ impl LadderEnd {
             Self::Pinned => "pinned",
             Self::Budget => "budget",
             Self::Finest => "finest",
+            Self::LoadPath => "load_path",
             Self::Unchecked => "unchecked",
         }
     }

@@ -171,6 +171,10 @@ fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
         LadderEnd::Pinned => {
             "the scene prescribes its model: leave out its mesh or contact_nodes, or divide it more finely"
         }
+        LadderEnd::LoadPath => {
+            "what the increments of load steps leave is nearly all of it, so that no finer nodes are tried: ask for less, or for the numbers that matter \
+             (analysis.accuracy = { peak_pressure = … }), or prescribe more increments (analysis.substeps)"
+        }
         LadderEnd::Reached | LadderEnd::Finest | LadderEnd::Unchecked => {
             "no finer model is tried: ask for less, or for the numbers that matter (analysis.accuracy = { peak_pressure = … })"
         }

@@ -257,6 +257,16 @@ fn what_an_early_step_leaves_stays_among_the_errors_of_later_ones() {
         solved(&text, &[&scene, changes].concat())
     };
     let found = of(&[r#"analysis.accuracy={ peak_pressure = "1 %" }"#]);
+    // The first step is as much to blame as those after it.
+    let increments = &found
+        .ladder
+        .as_ref()
+        .unwrap()
+        .rungs
+        .last()
+        .unwrap()
+        .increments;
+    assert!(increments[0] > 8, "{increments:?}");
     let truth = of(&[
         "analysis.substeps=128",
         "analysis.ramp=quadratic",
@@ -409,16 +419,14 @@ fn a_budget_ends_the_search_for_increments() {
         let found = within(&free, &changes, readings);
         let ladder = found.ladder.as_ref().unwrap();
         let is_stopped = ladder.rungs.iter().any(|rung| rung.stopped);
-        // With all increments no finer model is worth its time.
-        let end = if is_stopped {
-            LadderEnd::Budget
+        let increments = &ladder.rungs.last().unwrap().increments;
+        // With all of them no finer nodes are worth their time.
+        let ends = if is_stopped || increments.iter().any(|&count| count < 64) {
+            vec![LadderEnd::Budget]
         } else {
-            ladder.end
+            vec![LadderEnd::Budget, LadderEnd::LoadPath]
         };
-        assert!(
-            ladder.end == end && end != LadderEnd::Reached,
-            "{readings}: {ladder:?}"
-        );
+        assert!(ends.contains(&ladder.end), "{readings}: {ladder:?}");
         stopped += usize::from(is_stopped);
         let misses = misses(&found, &finest, &Stated::ALL);
         assert!(misses.is_empty(), "{readings}: {misses:#?}");
