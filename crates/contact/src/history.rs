@@ -41,7 +41,7 @@ pub use stages::Thin;
 pub use travel::travelled;
 pub use walker::{Blocked, Effort, LoadIncrement, LoadPath, Progress, Walker};
 
-/// How the load grows within the first load step, from nothing; later steps are always linear.
+/// How the load grows within the first load step, and within later ones that begin with all points open; others are always linear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ramp {
     /// In equal increments.
@@ -260,9 +260,10 @@ impl LoadHistory {
         Ok(steps)
     }
 
-    /// Fraction of a step's increment that is applied after the part `k` of it.
-    fn fraction(&self, index: usize, part: f64) -> f64 {
-        if index == 0 && self.ramp == Ramp::Quadratic {
+    /// Fraction of the increment of the step `index` from `start` that is applied after the part `part` of it.
+    fn fraction(&self, index: usize, start: &ContactState, part: f64) -> f64 {
+        let bears = || start.status.iter().any(|status| status.touches());
+        if self.ramp == Ramp::Quadratic && (index == 0 || !bears()) {
             part * part
         } else {
             part
@@ -280,7 +281,7 @@ impl LoadHistory {
         let fraction = if part >= 1.0 {
             1.0
         } else {
-            self.fraction(index, part)
+            self.fraction(index, start, part)
         };
         // Exact at both ends, unlike from + fraction (to − from).
         let ends = start.multipliers.iter().zip(target);

@@ -111,7 +111,7 @@ pub enum ComplianceChoice {
 
 pub use stickslip_contact::SolverKind as SolverChoice;
 
-/// How the load P grows over the n sub-steps k of the first step.
+/// How the load P grows over the n sub-steps k of the first step, and of later ones that begin with all points open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Ramp {
