@@ -21,6 +21,8 @@ use stickslip_engine::run::{Progress, RunError, results, run_with};
 const FEWEST: usize = 2;
 /// Fewest increments of such a step: two and four may agree where few nodes slip.
 const LEAST: usize = 8;
+/// The same of steps in which points close again: what sticks then did not change up to eight increments, and friction by 5 % from there to 32.
+const AGAIN: usize = 32;
 /// Most increments of a load step that are tried.
 const INCREMENTS: usize = 64;
 /// The increments may take this part of what is asked.
@@ -295,8 +297,13 @@ impl Climb<'_> {
                 }
             }
         }
-        for (half, &count) in halved.iter_mut().zip(substeps) {
-            let is_coarse = count < LEAST * self.scene.analysis.substeps();
+        for (step, (half, &count)) in halved.iter_mut().zip(substeps).enumerate() {
+            let least = if level.closes_again(step) {
+                AGAIN
+            } else {
+                LEAST
+            };
+            let is_coarse = count < least * self.scene.analysis.substeps();
             *half = (*half || is_coarse) && count < INCREMENTS;
         }
         halved

@@ -1,5 +1,6 @@
 //! A model of the ladder that was solved, and its numbers.
 
+use stickslip_contact::ContactState;
 use stickslip_friction::History;
 
 use stickslip_engine::model::Model;
@@ -9,6 +10,11 @@ use stickslip_engine::run::{RunError, Solved, edge_results};
 use super::limits::Missing;
 use super::numbers::Numbers;
 use super::{peaks, thinning};
+
+/// Part of the normal forces that is most of them.
+const MOST: f64 = 0.5;
+/// Part of the normal forces below which points do not matter.
+const PART: f64 = 0.01;
 
 /// A model that was solved.
 pub(super) struct Level {
@@ -39,6 +45,23 @@ impl Level {
             .law(middle)
             .bound(pressure, 0.0, place, &History::default());
         bound.stick / pressure
+    }
+
+    /// Whether points that were open before the load step `step` bear most of its load, or a part of one that falls: the first force is then no part of a path that goes on, and which points stick
+    /// when they close may change with increments that are small alone.
+    pub(super) fn closes_again(&self, step: usize) -> bool {
+        let records = &self.solved.records;
+        let Some(before) = step.checked_sub(1).map(|before| &records[before].state) else {
+            return false;
+        };
+        let state = &records[step].state;
+        let points = 0..state.status.len();
+        let normal =
+            |state: &ContactState| -> f64 { points.clone().map(|k| state.normal_force(k)).sum() };
+        let open = points.clone().filter(|&k| !before.status[k].touches());
+        let anew: f64 = open.map(|k| state.normal_force(k)).sum();
+        let falls = normal(state) < normal(before);
+        anew > if falls { PART } else { MOST } * normal(state)
     }
 
     /// Whether friction acts anywhere in its history.

@@ -289,6 +289,62 @@ fn what_an_early_step_leaves_stays_among_the_errors_of_later_ones() {
     assert!(20 * missed < count, "{missed} of {count}");
 }
 
+/// A press fit opens under a pull and closes again: up to eight increments all points slip then, and halving them changes nothing, but with more some stick, and
+/// friction falls by 5 %.
+#[test]
+fn contact_that_closes_again_is_divided_further() {
+    let free = PIN.replace("[analysis]\nsubsteps = 1\n", "");
+    let found = solved(
+        &free,
+        &[
+            SMALL,
+            "bodies.plate.shape.plate_with_hole.hole_radius=6 mm",
+            r#"bodies.plate.shape.plate_with_hole.outline.strip={ half_width = "18 mm", left = "70 mm", right = "24 mm" }"#,
+            "bodies.pin.shape.disk.radius=6.01 mm",
+            "contacts.0.interference=true",
+            "contacts.0.friction.coulomb.mu=0.6",
+            r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["0 N", "2 kN", "8 kN", "2 kN", "0 N"] } }"#,
+            r#"analysis.accuracy="5 %""#,
+        ],
+    );
+    let increments = &found
+        .ladder
+        .as_ref()
+        .unwrap()
+        .rungs
+        .last()
+        .unwrap()
+        .increments;
+    assert!(increments[3] >= 32, "{increments:?}");
+    // 1024 increments.
+    for (step, exact) in [(3, -529.8), (4, -1259.7)] {
+        let edge = &found.steps[step].edges[0];
+        let error = edge.errors.get(Stated::FrictionForce).unwrap();
+        assert!(
+            (edge.friction_force - exact).abs() < error,
+            "{} ± {error}",
+            edge.friction_force
+        );
+    }
+}
+
+/// A step that begins with all points open is ramped as the first one is, and ends as that does.
+#[test]
+fn a_step_that_begins_open_is_the_first_one_again() {
+    let found = by(&[
+        SMALL,
+        "analysis.contact_nodes=61",
+        "analysis.substeps=4",
+        "analysis.ramp=quadratic",
+        r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["4 kN", "0 N", "4 kN"] } }"#,
+    ]);
+    let [first, again] = [0, 2].map(|step| found.steps[step].edges[0].friction_force);
+    assert!(
+        (first - again).abs() < 1e-9 * first.abs(),
+        "{first} {again}"
+    );
+}
+
 /// A fit through few nodes between several ends of stick overshoots the largest stress by half of it. It is not taken, and so spoils no error: the ladder
 /// ended at twice as many nodes and eight times as many increments before, at 11 %.
 #[test]
