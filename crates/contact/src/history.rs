@@ -24,7 +24,7 @@ use crate::deformed::Kinematics;
 use crate::error::ContactError;
 use crate::interface::Interface;
 use crate::problem::InterfaceProblem;
-use crate::solver::accept::is_near;
+use crate::solver::nearest::is_near;
 use crate::solver::{FailureCause, InterfaceSolver, StepFailure};
 use crate::state::ContactState;
 use crate::thinned::{Thinned, Whole};

@@ -40,6 +40,7 @@ pub(crate) mod least_distance;
 mod least_index;
 mod lemke;
 mod mixing;
+pub(crate) mod nearest;
 mod penalty;
 mod pivoting;
 mod principal;

@@ -61,7 +61,9 @@ impl Level {
         let open = points.clone().filter(|&k| !before.status[k].touches());
         let anew: f64 = open.map(|k| state.normal_force(k)).sum();
         let falls = normal(state) < normal(before);
-        anew > if falls { PART } else { MOST } * normal(state)
+        let least = if falls { PART } else { MOST };
+        // A step that begins without forces is ramped as the first one is.
+        normal(before) > 0.0 && anew > least * normal(state)
     }
 
     /// Whether friction acts anywhere in its history.

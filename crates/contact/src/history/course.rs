@@ -5,11 +5,11 @@ use std::sync::{Mutex, PoisonError};
 use super::StepRecord;
 use super::passes::{Passes, Taken};
 use super::travel::travelled;
+use super::walker::LoadIncrement;
 use crate::deformed::{DeformedGaps, Kinematics};
-use crate::history::LoadIncrement;
 use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
-use crate::solver::accept::nearly;
+use crate::solver::nearest::nearly;
 use crate::solver::{InterfaceSolver, Step, StepFailure, StepSolution};
 
 /// What a solver may spend on an increment, and which answer will do.
