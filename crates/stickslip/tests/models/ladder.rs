@@ -14,8 +14,29 @@ use super::{results, solved};
 const SMALL: &str = "analysis.kinematics=small";
 const DEFORMED: &str = "analysis.kinematics=deformed-gaps";
 
+/// The pin whose increments the program chooses.
+fn free() -> String {
+    PIN.replace("[analysis]\nsubsteps = 1\n", "")
+}
+
+fn freely(changes: &[&str]) -> Results {
+    solved(&free(), changes)
+}
+
 fn by(changes: &[&str]) -> Results {
     solved(PIN, changes)
+}
+
+/// The increments of each load step of its last model.
+fn increments(found: &Results) -> &[usize] {
+    &found
+        .ladder
+        .as_ref()
+        .unwrap()
+        .rungs
+        .last()
+        .unwrap()
+        .increments
 }
 
 /// The numbers of every edge and step that are outside of the error of `found`, beside those of `truth` with theirs.
@@ -231,10 +252,8 @@ fn bodies_that_turn_freely_find_deformed_gaps_on_graded_nodes() {
 #[test]
 fn load_steps_are_divided_each_for_itself() {
     let small_first = r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["20 N", "4 kN", "1.5 kN"] } }"#;
-    let free = PIN.replace("[analysis]\nsubsteps = 1\n", "");
-    let found = solved(&free, &[SMALL, small_first, r#"analysis.accuracy="0.3 %""#]);
-    let rungs = &found.ladder.as_ref().unwrap().rungs;
-    let last = &rungs.last().unwrap().increments;
+    let found = freely(&[SMALL, small_first, r#"analysis.accuracy="0.3 %""#]);
+    let last = increments(&found);
     assert_eq!(last.len(), 3);
     assert!(last.iter().min() < last.iter().max(), "{last:?}");
     for (step, increments) in found.steps.iter().zip(last) {
@@ -245,7 +264,6 @@ fn load_steps_are_divided_each_for_itself() {
 /// The tractions that increments of the first step lock in stay among the errors of the last one.
 #[test]
 fn what_an_early_step_leaves_stays_among_the_errors_of_later_ones() {
-    let text = PIN.replace("[analysis]\nsubsteps = 1\n", "");
     let of = |changes: &[&str]| {
         let scene = [
             SMALL,
@@ -254,18 +272,11 @@ fn what_an_early_step_leaves_stays_among_the_errors_of_later_ones() {
             "contacts.0.friction.coulomb.mu=0.85",
             r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["560 N", "270 N", "130 N", "65 N"] } }"#,
         ];
-        solved(&text, &[&scene, changes].concat())
+        freely(&[&scene, changes].concat())
     };
     let found = of(&[r#"analysis.accuracy={ peak_pressure = "1 %" }"#]);
     // The first step is as much to blame as those after it.
-    let increments = &found
-        .ladder
-        .as_ref()
-        .unwrap()
-        .rungs
-        .last()
-        .unwrap()
-        .increments;
+    let increments = increments(&found);
     assert!(increments[0] > 8, "{increments:?}");
     let truth = of(&[
         "analysis.substeps=128",
@@ -293,28 +304,17 @@ fn what_an_early_step_leaves_stays_among_the_errors_of_later_ones() {
 /// friction falls by 5 %.
 #[test]
 fn contact_that_closes_again_is_divided_further() {
-    let free = PIN.replace("[analysis]\nsubsteps = 1\n", "");
-    let found = solved(
-        &free,
-        &[
-            SMALL,
-            "bodies.plate.shape.plate_with_hole.hole_radius=6 mm",
-            r#"bodies.plate.shape.plate_with_hole.outline.strip={ half_width = "18 mm", left = "70 mm", right = "24 mm" }"#,
-            "bodies.pin.shape.disk.radius=6.01 mm",
-            "contacts.0.interference=true",
-            "contacts.0.friction.coulomb.mu=0.6",
-            r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["0 N", "2 kN", "8 kN", "2 kN", "0 N"] } }"#,
-            r#"analysis.accuracy="5 %""#,
-        ],
-    );
-    let increments = &found
-        .ladder
-        .as_ref()
-        .unwrap()
-        .rungs
-        .last()
-        .unwrap()
-        .increments;
+    let found = freely(&[
+        SMALL,
+        "bodies.plate.shape.plate_with_hole.hole_radius=6 mm",
+        r#"bodies.plate.shape.plate_with_hole.outline.strip={ half_width = "18 mm", left = "70 mm", right = "24 mm" }"#,
+        "bodies.pin.shape.disk.radius=6.01 mm",
+        "contacts.0.interference=true",
+        "contacts.0.friction.coulomb.mu=0.6",
+        r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["0 N", "2 kN", "8 kN", "2 kN", "0 N"] } }"#,
+        r#"analysis.accuracy="5 %""#,
+    ]);
+    let increments = increments(&found);
     assert!(increments[3] >= 32, "{increments:?}");
     // 1024 increments.
     for (step, exact) in [(3, -529.8), (4, -1259.7)] {
@@ -349,22 +349,18 @@ fn a_step_that_begins_open_is_the_first_one_again() {
 /// ended at twice as many nodes and eight times as many increments before, at 11 %.
 #[test]
 fn a_fit_that_knows_nothing_spoils_no_error() {
-    let free = PIN.replace("[analysis]\nsubsteps = 1\n", "");
-    let found = solved(
-        &free,
-        &[
-            SMALL,
-            r#"materials.aluminium={ orthotropic = { e1 = "70 GPa", e2 = "25.9 GPa", g12 = "41.2 GPa", nu12 = 0.3 } }"#,
-            r#"materials.steel={ isotropic = { young = "40.9 GPa", poisson = 0.114 } }"#,
-            "bodies.plate.thickness=2 mm",
-            "bodies.pin.thickness=2 mm",
-            "bodies.pin.shape.disk.radius=4.99886 mm",
-            r#"bodies.plate.shape.plate_with_hole.outline.strip={ half_width = "21.9 mm", left = "54.4 mm", right = "20.4 mm" }"#,
-            "contacts.0.friction.coulomb.mu=0.7235",
-            r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["7.6 kN", "3.75 kN"] } }"#,
-            r#"analysis.accuracy="5 %""#,
-        ],
-    );
+    let found = freely(&[
+        SMALL,
+        r#"materials.aluminium={ orthotropic = { e1 = "70 GPa", e2 = "25.9 GPa", g12 = "41.2 GPa", nu12 = 0.3 } }"#,
+        r#"materials.steel={ isotropic = { young = "40.9 GPa", poisson = 0.114 } }"#,
+        "bodies.plate.thickness=2 mm",
+        "bodies.pin.thickness=2 mm",
+        "bodies.pin.shape.disk.radius=4.99886 mm",
+        r#"bodies.plate.shape.plate_with_hole.outline.strip={ half_width = "21.9 mm", left = "54.4 mm", right = "20.4 mm" }"#,
+        "contacts.0.friction.coulomb.mu=0.7235",
+        r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["7.6 kN", "3.75 kN"] } }"#,
+        r#"analysis.accuracy="5 %""#,
+    ]);
     assert_eq!(found.ladder.as_ref().unwrap().end, LadderEnd::Reached);
     let edge = &found.steps[1].edges[0];
     let (stress, _) = edge.peak_hoop.unwrap();
@@ -467,15 +463,16 @@ fn a_budget_ends_within_a_model() {
 /// The same of increments that are left to the program.
 #[test]
 fn a_budget_ends_the_search_for_increments() {
-    let free = PIN.replace("[analysis]\nsubsteps = 1\n", "");
+    let free = free();
     let changes = [SMALL, r#"analysis.accuracy="0.01 %""#];
-    let finest = solved(&free, &changes);
+    let finest = freely(&changes);
+    assert_eq!(finest.ladder.as_ref().unwrap().end, LadderEnd::LoadPath);
     let mut stopped = 0;
     for readings in (50..260).step_by(7) {
         let found = within(&free, &changes, readings);
         let ladder = found.ladder.as_ref().unwrap();
         let is_stopped = ladder.rungs.iter().any(|rung| rung.stopped);
-        let increments = &ladder.rungs.last().unwrap().increments;
+        let increments = increments(&found);
         // With all of them no finer nodes are worth their time.
         let ends = if is_stopped || increments.iter().any(|&count| count < 64) {
             vec![LadderEnd::Budget]

@@ -1,6 +1,6 @@
 //! Numbers that are stated with an error, and the accuracies that bound them.
 
-use stickslip::results::{Finding, LadderEnd, Results, Stated};
+use stickslip::results::{EdgeRow, Finding, LadderEnd, Results, Stated};
 
 use super::series::PIN;
 use super::{difference, solved};
@@ -188,13 +188,27 @@ fn the_place_of_the_peak_reaches_over_all_nodes_that_may_be_it() {
     let results = solved(&text, &changes);
     let geometry = &results.edges[0];
     for edge in results.steps.iter().map(|step| &step.edges[0]) {
-        let (most, at) = edge.peak_hoop.unwrap();
-        let error = |stated| edge.errors.get(stated).unwrap();
-        let [error, reach] = [Stated::PeakHoop, Stated::PeakHoopPlace].map(error);
-        for (row, other) in edge.rows.iter().zip(&geometry.parameter) {
-            let away = stickslip::results::wrapped(other - at).abs();
-            let is_lower = row.sigma_tangential < most - error;
-            assert!(is_lower || away <= reach + 1e-9, "{other} {at}");
+        let stress = |row: &EdgeRow| row.sigma_tangential;
+        let peaks: [(_, [Stated; 2], fn(&EdgeRow) -> f64); 2] = [
+            (
+                edge.peak_hoop,
+                [Stated::PeakHoop, Stated::PeakHoopPlace],
+                stress,
+            ),
+            (
+                edge.peak_pressure,
+                [Stated::PeakPressure, Stated::PeakPressurePlace],
+                |row| row.pressure,
+            ),
+        ];
+        for (peak, stated, value) in peaks {
+            let (most, at) = peak.unwrap();
+            let [error, reach] = stated.map(|stated| edge.errors.get(stated).unwrap());
+            for (row, other) in edge.rows.iter().zip(&geometry.parameter) {
+                let away = stickslip::results::wrapped(other - at).abs();
+                let is_lower = value(row) < most - error;
+                assert!(is_lower || away <= reach + 1e-9, "{stated:?} {other} {at}");
+            }
         }
     }
 }
