@@ -40,7 +40,7 @@ pub(super) const TABLES: &[Table] = &[
             "half: y ≥ 0 of round shapes, x ≥ 0 of a line contact; auto takes it where shapes, materials, supports, platens, \
             loads and friction laws are symmetric and it has all `edges`; half is refused where they are not; a rectangle has \
             no half"),
-        words("kinematics", r#"`"small"`, `"deformed-gaps"`, `"auto"`"#, r#"`"small"` with a mesh, `"auto"` without"#, r#""deformed-gaps""#,
+        words("kinematics", r#"`"small"`, `"deformed-gaps"`, `"auto"`"#, r#"`"small"` with a mesh, `contact_nodes` or fasteners, `"auto"` without"#, r#""deformed-gaps""#,
             "small: contact is found on the undeformed geometry; deformed-gaps: gaps, normals and closest points follow the displacement, \
             between linear bodies, for exact gaps and matching meshes; not for progressive failure and experiments; auto: deformed-gaps where it \
             changes more than three tenths of the accuracy, otherwise small with the change among the errors"),

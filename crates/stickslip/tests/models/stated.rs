@@ -188,8 +188,10 @@ fn the_place_of_the_peak_reaches_over_all_nodes_that_may_be_it() {
     let results = solved(&text, &changes);
     let geometry = &results.edges[0];
     for edge in results.steps.iter().map(|step| &step.edges[0]) {
-        let stress = |row: &EdgeRow| row.sigma_tangential;
-        let peaks: [(_, [Stated; 2], fn(&EdgeRow) -> f64); 2] = [
+        type Value = fn(&EdgeRow) -> f64;
+        let stress: Value = |row| row.sigma_tangential;
+        let pressure: Value = |row| row.pressure;
+        let peaks = [
             (
                 edge.peak_hoop,
                 [Stated::PeakHoop, Stated::PeakHoopPlace],
@@ -198,7 +200,7 @@ fn the_place_of_the_peak_reaches_over_all_nodes_that_may_be_it() {
             (
                 edge.peak_pressure,
                 [Stated::PeakPressure, Stated::PeakPressurePlace],
-                |row| row.pressure,
+                pressure,
             ),
         ];
         for (peak, stated, value) in peaks {
