@@ -316,11 +316,13 @@ impl LoadHistory {
             target,
             record: start.at_its_end(),
             nearly: false,
+            sound: 0.0,
         };
         for substep in 0..self.substeps[index] {
             let ends = [substep, substep + 1].map(|k| k as f64 * walker.whole);
             if let Err(blocked) = walker.walk(ends, &mut path) {
-                return Err(failed(index, blocked));
+                let reached = path.sound;
+                return Err(failed(index, Blocked { reached, ..blocked }));
             }
         }
         Ok(path.record)
@@ -338,6 +340,8 @@ struct StepPath<'a> {
     record: StepRecord,
     /// Whether the last increment ended in a state that only nearly meets the conditions.
     nearly: bool,
+    /// Part of the load step that was reached before states that only nearly meet the conditions: which of these are met is a matter of rounding.
+    sound: f64,
 }
 
 impl LoadPath for StepPath<'_> {
@@ -356,6 +360,9 @@ impl LoadPath for StepPath<'_> {
         };
         let verified = (self.course).advance(&mut self.record, self.solver, means, &to)?;
         self.nearly = means == Means::Last && !verified;
+        if !self.nearly {
+            self.sound = increment.to;
+        }
         let easily = increment.refusals == 0 && increment.steady > 0;
         Ok(if easily {
             Progress::Grow

@@ -88,6 +88,22 @@ proptest! {
     }
 }
 
+/// Where no load beyond has a solution, rounding decides whether a state meets the conditions nearly, and it ends no step later.
+#[test]
+fn a_state_that_is_nearly_one_makes_no_step_longer() {
+    let disk = Disk {
+        length: 1.0,
+        force: 1.0,
+        arm: 1.0,
+        gap: 0.336,
+        mu: 0.221,
+        loads: [[-0.1256, 0.9212, 0.1889], [-0.1986, -0.256, 0.1387]],
+    };
+    for length in [7.0, 10.0, 1352.0] {
+        check(disk, Disk { length, ..disk }).unwrap();
+    }
+}
+
 proptest! {
     /// The bordered system of compliances and rigid motions is singular in all units of length, force and turn, or in none.
     #[test]
