@@ -19,7 +19,9 @@ use clap::Args;
 use rand::SeedableRng;
 use rand::rngs::StdRng;
 use rayon::prelude::*;
-use stickslip::results::{EdgeGeometry, EdgeResults, LadderEnd, Results, Stated};
+use stickslip::results::{
+    EdgeGeometry, EdgeResults, LadderEnd, Results, SetKind, SetNumbers, SetStated, Stated,
+};
 use stickslip::run::run;
 use stickslip::scene::{Format, Scene};
 
@@ -212,6 +214,11 @@ fn compare(draw: &Draw, asked: f64) -> Result<Compared, String> {
             compared.add(geometries, [own_edge, exact_edge], (at, draw, asked));
         }
     }
+    for (step, set) in
+        (0..found.steps.len()).flat_map(|step| (0..found.sets.len()).map(move |set| (step, set)))
+    {
+        compared.add_set([&found, &truth], step, set);
+    }
     for (own, truth) in found.failure.iter().zip(&truth.failure) {
         let unloading = |step: usize| found.steps[step].unloading;
         compared
@@ -251,6 +258,30 @@ struct At {
 }
 
 impl Compared {
+    /// Adds the numbers of the set with this index in a step beside those of the truth, but a force that is given.
+    fn add_set(&mut self, [found, truth]: [&Results; 2], step: usize, set: usize) {
+        let is_held = matches!(found.sets[set].kind, SetKind::Held { .. });
+        let given = if is_held {
+            SetStated::Displacement
+        } else {
+            SetStated::Force
+        };
+        for stated in SetStated::ALL.into_iter().filter(|own| *own != given) {
+            let get = |own: SetNumbers| own.get(stated);
+            let [value, exact] = [found, truth].map(|own| get(own.set_numbers(set, step)));
+            let [error, doubt] = [found, truth].map(|own| get(own.set_errors(set, step)));
+            if let (Some(value), Some(exact)) = (value, exact) {
+                self.numbers.push(Number {
+                    name: stated.describe(),
+                    step: step + 1,
+                    unloading: found.steps[step].unloading,
+                    values: [value, exact],
+                    errors: error.zip(doubt).map(|(error, doubt)| [error, doubt]),
+                });
+            }
+        }
+    }
+
     /// Adds the numbers of an edge in a step beside those of the truth.
     fn add(
         &mut self,

@@ -38,7 +38,7 @@ use crate::load_scale::LoadScale;
 use crate::model::{self, Model};
 use crate::results::{
     BodySummary, Choice, EdgeGeometry, EdgeResults, FastenerStep, Finding, ResultPart, Results,
-    StepNotes, StepResults,
+    SetMotion, StepNotes, StepResults,
 };
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
@@ -152,28 +152,43 @@ pub fn results_without_audit(
     for record in &mut solved.records {
         record.parts.clear();
     }
-    let recovered = fields::recover_some(model, &solved, bodies);
+    let recovered = fields::recover_some(model, &solved, bodies, false);
     reported(model, solver, solved, recovered, &[], start)
 }
 
-/// The edges of `model` with their frames, and their results at the end of every load step: one list of edges per step. Enough to compare models by; failure, fields and
-/// balances are those of [`results`].
+/// What models are compared by.
+#[derive(Debug)]
+pub struct Comparable {
+    /// The edges with their frames.
+    pub geometries: Vec<EdgeGeometry>,
+    /// Results of the edges at the end of every load step.
+    pub edges: Vec<Vec<EdgeResults>>,
+    /// Force and displacement of the model's sets at the end of every load step.
+    pub sets: Vec<Vec<Option<SetMotion>>>,
+}
+
+/// The edges and sets of `model` at the end of every load step. Enough to compare models by; failure, fields and balances are those of [`results`].
 ///
 /// # Errors
 /// [`RunError::Stress`].
-pub fn edge_results(
-    model: &Model,
-    solved: &Solved,
-) -> Result<(Vec<EdgeGeometry>, Vec<Vec<EdgeResults>>), RunError> {
+pub fn comparable(model: &Model, solved: &Solved) -> Result<Comparable, RunError> {
     let free = model.edges.iter().filter(|edge| edge.pair.is_none());
-    let wanted: Vec<usize> = free.map(|edge| edge.geometry.body).collect();
-    let recovered = fields::recover_some(model, solved, &wanted);
-    Ok(edges::all(model, solved, &recovered)?)
+    let free = free.map(|edge| edge.geometry.body);
+    let wanted: Vec<usize> = free
+        .chain(model.sets.iter().map(|own| own.set.body))
+        .collect();
+    let recovered = fields::recover_some(model, solved, &wanted, true);
+    let (geometries, edges) = edges::all(model, solved, &recovered)?;
+    Ok(Comparable {
+        geometries,
+        edges,
+        sets: recovered.into_iter().map(|own| own.sets).collect(),
+    })
 }
 
 /// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
 pub fn displacements_of(model: &Model, solved: &Solved, index: usize) -> Vec<Vec<f64>> {
-    let recovered = fields::recover_some(model, solved, &[index]);
+    let recovered = fields::recover_some(model, solved, &[index], false);
     let own = |step: &fields::Recovered| shown::moved(model, &solved.operators, step, index);
     recovered.iter().map(own).collect()
 }
@@ -258,6 +273,7 @@ fn steps(
             loads: model.request.loads.at_step(index),
             edges,
             sets: recovered[index].sets.clone(),
+            set_errors: Vec::new(),
             fasteners,
             work: record.work,
             solvers: record.solvers.clone(),

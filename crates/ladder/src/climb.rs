@@ -2,13 +2,14 @@
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{Accuracy, Budget, KinematicsChoice};
+use stickslip_scene::schema::{Accuracy, Budget, KinematicsChoice, Memory};
 
 use crate::along::Along;
 use crate::geometry::Geometry;
 use crate::grading::Grading;
 use crate::level::Level;
 use crate::models::{Division, Models};
+use crate::motions::Motions;
 use crate::numbers::{Numbers, Table, above_rounding, sum, zipped};
 use crate::path::{self, Changes, Halved, Left};
 use crate::worst::{Worst, worst, worst_of_step};
@@ -35,7 +36,7 @@ const GEOMETRY_SHARE: f64 = 0.3;
 const PATIENCE: f64 = 60.0;
 /// Times that nodes of a line contact are moved closer to it, each time by about thirty, until it has some.
 const ZOOMS: usize = 8;
-/// A finer model takes about so many times as long as the last one.
+/// A finer model takes about so many times as long, and as much memory, as the last one.
 const GROWTH: f64 = 4.0;
 
 /// Climbs until the accuracy of `scene` is met, and returns the results of the last model.
@@ -191,7 +192,13 @@ impl Climb<'_> {
         self.record(&small, None);
         self.seat(&mut small, progress);
         if !is_auto || small.model.pairs.is_empty() {
-            return Ok((small, Geometry::default()));
+            let touches = !small.model.pairs.is_empty();
+            let left_out = touches.then(|| Geometry::not_asked(self.scene)).flatten();
+            let geometry = Geometry {
+                left_out,
+                ..Geometry::default()
+            };
+            return Ok((small, geometry));
         }
         let deformed = match self.deformed(&small, progress) {
             Ok(deformed) => deformed,
@@ -381,10 +388,10 @@ impl Climb<'_> {
             Some(LadderEnd::LoadPath)
         } else if self.is_spent(last) {
             Some(LadderEnd::Budget)
+        } else if self.models.is_finest(last.rung) {
+            Some(LadderEnd::Finest)
         } else {
-            self.models
-                .is_finest(last.rung)
-                .then_some(LadderEnd::Finest)
+            self.is_too_large_next(last).then_some(LadderEnd::Memory)
         }
     }
 
@@ -402,6 +409,12 @@ impl Climb<'_> {
         self.until().is_some_and(|until| then > until)
     }
 
+    /// Whether a model finer than `last` would take more memory than it may.
+    fn is_too_large_next(&self, last: &Level) -> bool {
+        let memory = self.scene.analysis.memory.unwrap_or(Memory::DEFAULT);
+        !self.models.is_graded() && GROWTH * last.bytes() > memory.bytes()
+    }
+
     /// The results of the last level, with their errors.
     fn finish(
         mut self,
@@ -413,6 +426,8 @@ impl Climb<'_> {
     ) -> Result<Results, RunError> {
         let along = Along::of_division(&numbers(&levels), self.models.spaced());
         let along = along.and(&path.along).and(&geometry.along);
+        let sets = Motions::of_division(&numbers(&levels), self.models.spaced());
+        let mut sets = sets.and(&path.sets).and(&geometry.sets);
         let Some(last) = levels.pop() else {
             return run_with(self.scene, self.models.solver(), &mut |_| {});
         };
@@ -422,6 +437,7 @@ impl Climb<'_> {
         if geometry.failed.is_some() {
             end = LadderEnd::Unchecked;
             along.clear();
+            sets = Motions::default();
             for rung in &mut self.rungs {
                 rung.error = None;
             }
@@ -431,6 +447,7 @@ impl Climb<'_> {
         }
         let worst = worst(&last.numbers, &errors, self.bounds());
         let missed = self.missed(worst.map(Worst::named), end);
+        let has_limit: Vec<bool> = last.model.sets.iter().map(|own| own.has_limit).collect();
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         found.findings.retain(|finding| !finding.is_within_errors());
         found.findings.extend(unlimited);
@@ -453,6 +470,7 @@ impl Climb<'_> {
             along,
             last.model.origin,
         );
+        sets.put(&mut found, &has_limit);
         geometry.explain(&mut found);
         found.ladder = Some(Ladder {
             asked: self.asked,

@@ -1,10 +1,13 @@
 //! What a ladder finds out about the geometry on which contact is found.
 
 use super::along::Along;
+use super::motions::Motions;
 use super::numbers::{Numbers, Table, difference, zipped};
 use stickslip_engine::model::ModelError;
 use stickslip_engine::results::{Results, Stated};
 use stickslip_engine::run::RunError;
+use stickslip_scene::Scene;
+use stickslip_scene::schema::KinematicsChoice;
 
 /// The difference on one model is off by this factor at most.
 const FACTOR: f64 = 1.5;
@@ -16,6 +19,8 @@ pub(super) struct Geometry {
     pub(super) errors: Table,
     /// The same at the nodes of edges.
     pub(super) along: Along,
+    /// The same of sets.
+    pub(super) sets: Motions,
     /// Why it was chosen, as the reason of a choice; empty where the scene chose.
     pub(super) reason: String,
     /// Whether the deformed one was chosen.
@@ -39,11 +44,25 @@ impl Geometry {
         }
     }
 
+    /// Why no error contains what deformed gaps would change, where `scene` leaves that to the program and is not modelled with them.
+    pub(super) fn not_asked(scene: &Scene) -> Option<String> {
+        if scene.analysis.kinematics.is_some() || scene.kinematics() != KinematicsChoice::Small {
+            return None;
+        }
+        let why = if scene.fasteners.is_empty() {
+            "analysis.kinematics is \"small\" where a mesh is given; say \"auto\" or \"deformed-gaps\", or \"small\" to leave them out"
+        } else {
+            "with fasteners contact is found on the undeformed geometry; say analysis.kinematics = \"small\" to leave them out"
+        };
+        Some(why.into())
+    }
+
     /// What deformed gaps may change, by the difference that they make on one model.
     pub(super) fn renew(&mut self, small: &Numbers, deformed: &Numbers) {
         let difference = difference(deformed, small);
         self.errors = zipped(&difference, &Table::new(), |error, _| Some(FACTOR * error?));
         self.along = Along::between(small, deformed).times(FACTOR);
+        self.sets = Motions::between(small, deformed).times(FACTOR);
     }
 
     /// Why a geometry is chosen, by the largest change that the deformed one makes.

@@ -5,9 +5,10 @@ use stickslip_friction::History;
 
 use stickslip_engine::model::Model;
 use stickslip_engine::results::{EdgeGeometry, EdgeResults};
-use stickslip_engine::run::{RunError, Solved, edge_results};
+use stickslip_engine::run::{Operator, RunError, Solved, comparable};
 
 use super::limits::Missing;
+use super::motions::Motions;
 use super::numbers::Numbers;
 use super::{peaks, thinning};
 
@@ -15,6 +16,11 @@ use super::{peaks, thinning};
 const MOST: f64 = 0.5;
 /// Part of the normal forces below which points do not matter.
 const PART: f64 = 0.01;
+
+/// Memory of elastic bodies per entry of their factors, in bytes: that entry, and its part of mesh, stiffness and stresses.
+const BYTES_PER_ENTRY: f64 = 14.0;
+/// Memory of a contact problem per pair of its components, in bytes: a few dense matrices.
+const BYTES_PER_PAIR: f64 = 32.0;
 
 /// A model that was solved.
 pub(super) struct Level {
@@ -32,6 +38,14 @@ pub(super) struct Level {
 }
 
 impl Level {
+    /// Memory that it takes, in bytes: that of factors and of dense compliances is most of it.
+    pub(super) fn bytes(&self) -> f64 {
+        let elastic = self.solved.operators.iter().filter_map(Operator::elastic);
+        let entries: usize = elastic.map(|own| own.structure().factor_entries()).sum();
+        let rows = 2.0 * self.solved.interface.contacts().points().len() as f64;
+        BYTES_PER_ENTRY * entries as f64 + BYTES_PER_PAIR * rows * rows
+    }
+
     /// What a virgin point in the middle of a contact edge holds under `pressure`, as a part of it.
     pub(super) fn friction(&self, edge: usize, pressure: f64) -> f64 {
         let contacts = self.solved.interface.contacts();
@@ -75,7 +89,8 @@ impl Level {
 
 /// The numbers of `model`, whose history is `solved`.
 pub(super) fn numbers(model: &Model, solved: &Solved) -> Result<Numbers, RunError> {
-    let (geometries, mut steps) = edge_results(model, solved)?;
+    let found = comparable(model, solved)?;
+    let (geometries, mut steps) = (found.geometries, found.edges);
     let rows = thinning::rows(solved, model, &steps);
     let own = thinning::own_rows(&geometries, &rows, &mut steps);
     let fitted = peaks::between_nodes(model, solved, &geometries, (&own, &rows), &mut steps);
@@ -86,6 +101,7 @@ pub(super) fn numbers(model: &Model, solved: &Solved) -> Result<Numbers, RunErro
         geometries,
         own,
         steps,
+        sets: Motions::of(&found.sets),
     })
 }
 

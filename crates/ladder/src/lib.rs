@@ -30,6 +30,7 @@ mod grading;
 mod level;
 mod limits;
 mod models;
+mod motions;
 mod numbers;
 mod path;
 mod peaks;

@@ -1,6 +1,7 @@
 //! The numbers of a model, and tables of their errors.
 
 use super::limits::Missing;
+use super::motions::Motions;
 use stickslip_engine::results::{EdgeGeometry, EdgeResults, Errors, Stated};
 
 /// Errors per step, edge and number.
@@ -19,6 +20,8 @@ pub(super) struct Numbers {
     pub(super) missing: Vec<Vec<Missing>>,
     /// Largest spacing of nodes on each edge `[rad or mm]`.
     pub(super) spacings: Vec<f64>,
+    /// Those of sets.
+    pub(super) sets: Motions,
 }
 
 /// Part of a number that rounding may leave.

@@ -10,6 +10,7 @@
 //! what a step that is not leaves in those after it is at most its own error, and theirs from when both were last halved.
 
 use super::along::Along;
+use super::motions::{self, Halving, Motions};
 use super::numbers::{Numbers, Table, difference, sum, zipped};
 use stickslip_engine::results::{EdgeResults, Errors, Stated};
 
@@ -34,6 +35,7 @@ const BALANCED: f64 = 1e-9;
 pub(super) struct Left {
     pub(super) numbers: Table,
     pub(super) along: Along,
+    pub(super) sets: Motions,
 }
 
 /// The same after some steps were halved.
@@ -70,6 +72,7 @@ pub(super) struct Changes {
     /// Errors along edges.
     along: Along,
     along_kept: Along,
+    sets: Halving,
 }
 
 impl Changes {
@@ -93,7 +96,11 @@ impl Changes {
         adjust(&mut numbers, &finer.steps);
         let along = self.along.and(&self.along_kept);
         Halved {
-            left: Left { numbers, along },
+            left: Left {
+                numbers,
+                along,
+                sets: self.sets.halved(finer, base, halved),
+            },
             own,
             before,
         }
@@ -188,17 +195,18 @@ pub(super) fn of_pinned(finer: &Numbers, base: &Numbers, substeps: &[usize]) -> 
     Left {
         numbers,
         along: along.times(of_four()),
+        sets: motions::of_pinned(finer, base),
     }
 }
 
 /// The error that given increments leave is at most so many times what [`PINNED`] times as many change.
-fn of_four() -> f64 {
+pub(super) fn of_four() -> f64 {
     let rate = SLOWEST / (1.0 + SLOWEST);
     1.0 / (1.0 - rate * rate)
 }
 
 /// The sum of the geometric series that goes on at the rate of the last two changes, between that of first order and that of [`SLOWEST`].
-fn error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
+pub(super) fn error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
     let change = change?;
     let slowest = SLOWEST / (1.0 + SLOWEST);
     let rate = before.map_or(slowest, |before| (change / before).clamp(0.5, slowest));

@@ -64,12 +64,11 @@ pub struct Stiffness {
     pub tangent: Option<f64>,
 }
 
-impl Results {
-    /// The stiffness against the set with the index `set` at the end of the step with the index `step`.
-    pub fn stiffness(&self, set: usize, step: usize) -> Stiffness {
-        let motion = |step: usize| *self.steps.get(step)?.sets.get(set)?;
+impl Stiffness {
+    /// That at the end of the step with the index `step` of a set whose `motion` is that of every step of a history of `steps`.
+    pub fn of(motion: impl Fn(usize) -> Option<SetMotion>, steps: usize, step: usize) -> Self {
         let largest = |of: fn(SetMotion) -> f64| {
-            let all = (0..self.steps.len()).filter_map(motion);
+            let all = (0..steps).filter_map(&motion);
             all.fold(0.0, |most: f64, own| most.max(of(own).abs()))
         };
         let least = SetMotion {
@@ -88,9 +87,85 @@ impl Results {
                 displacement: own.displacement - before.displacement,
             })
         };
-        Stiffness {
+        Self {
             secant: motion(step).and_then(ratio),
             tangent: motion(step).and_then(since).and_then(ratio),
         }
+    }
+}
+
+/// A number of a set at the end of a load step that is stated with an error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SetStated {
+    /// Force `[N]`: of the load, or of what holds the set.
+    Force,
+    /// Mean displacement `[mm]`.
+    Displacement,
+    /// Secant stiffness `[N/mm]`.
+    Secant,
+    /// Tangent stiffness `[N/mm]`.
+    Tangent,
+}
+
+impl SetStated {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Force, Self::Displacement, Self::Secant, Self::Tangent];
+
+    /// What it is, for a reader.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Self::Force => "force on a set",
+            Self::Displacement => "displacement",
+            Self::Secant => "stiffness",
+            Self::Tangent => "tangent stiffness",
+        }
+    }
+}
+
+/// The numbers of a set at the end of a load step, or their estimated errors, in base units; `None` where there is none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SetNumbers([Option<f64>; 4]);
+
+impl SetNumbers {
+    /// Those that `number` gives.
+    pub fn of(number: impl FnMut(SetStated) -> Option<f64>) -> Self {
+        Self(SetStated::ALL.map(number))
+    }
+
+    /// Those at the end of the step with the index `step` of a set whose `motion` is that of every step of a history of `steps`.
+    pub fn at(motion: impl Fn(usize) -> Option<SetMotion>, steps: usize, step: usize) -> Self {
+        let (own, stiffness) = (motion(step), Stiffness::of(motion, steps, step));
+        Self::of(|stated| match stated {
+            SetStated::Force => own.map(|own| own.force),
+            SetStated::Displacement => own.map(|own| own.displacement),
+            SetStated::Secant => stiffness.secant,
+            SetStated::Tangent => stiffness.tangent,
+        })
+    }
+
+    /// The one that `stated` names.
+    pub fn get(&self, stated: SetStated) -> Option<f64> {
+        self.0[stated as usize]
+    }
+}
+
+impl Results {
+    /// The numbers of the set with the index `set` at the end of the step with the index `step`.
+    pub fn set_numbers(&self, set: usize, step: usize) -> SetNumbers {
+        let motion = |step: usize| *self.steps.get(step)?.sets.get(set)?;
+        SetNumbers::at(motion, self.steps.len(), step)
+    }
+
+    /// Estimated errors of these; `None` of a number that has none, or where none were estimated.
+    pub fn set_errors(&self, set: usize, step: usize) -> SetNumbers {
+        let step = self.steps.get(step);
+        let own = step.and_then(|step| step.set_errors.get(set));
+        own.copied().unwrap_or_default()
+    }
+
+    /// The stiffness against the set with the index `set` at the end of the step with the index `step`.
+    pub fn stiffness(&self, set: usize, step: usize) -> Stiffness {
+        let motion = |step: usize| *self.steps.get(step)?.sets.get(set)?;
+        Stiffness::of(motion, self.steps.len(), step)
     }
 }

@@ -101,6 +101,13 @@ pub enum Finding {
         /// The bodies.
         bodies: Vec<String>,
     },
+    /// Displacements under loads hang on points at which elements hold bodies, and have no limit.
+    PointDisplacements {
+        /// The bodies.
+        bodies: Vec<String>,
+        /// Names of the loads.
+        loads: Vec<String>,
+    },
     /// Forces act on single points, whose displacements and stresses have no limit.
     PointLoads {
         /// Names of the loads.

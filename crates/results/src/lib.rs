@@ -25,7 +25,7 @@ pub use {
 };
 
 pub use bypass::{PlateRows, RowForces};
-pub use displacement::{LoadedSet, SetKind, SetMotion, Stiffness};
+pub use displacement::{LoadedSet, SetKind, SetMotion, SetNumbers, SetStated, Stiffness};
 pub use failure::{
     BesideSupports, BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope,
     EnvelopePoint, FailurePoint, FirstPly, JointFailure, JointMode, PlyGroup, PlyMap, PointErrors,
@@ -318,6 +318,8 @@ pub struct StepResults {
     /// Force and displacement of the sets in the order of [`Results::sets`]; `None` where they are not recovered, as in cases of a sweep, and on
     /// half-planes, whose displacement has no bound.
     pub sets: Vec<Option<SetMotion>>,
+    /// Estimated errors of the sets in the same order; empty where none were estimated.
+    pub set_errors: Vec<SetNumbers>,
     /// Fasteners in the order of [`Results::fasteners`].
     pub fasteners: Vec<FastenerStep>,
     /// Work of the solvers.

@@ -254,6 +254,8 @@ pub enum LadderEnd {
     Pinned,
     /// The budget is spent.
     Budget,
+    /// A finer model would take more memory than it may.
+    Memory,
     /// The finest model that is tried.
     Finest,
     /// What the increments of load steps leave is too much, and nearly all.
@@ -269,6 +271,7 @@ impl LadderEnd {
             Self::Reached => "reached",
             Self::Pinned => "pinned",
             Self::Budget => "budget",
+            Self::Memory => "memory",
             Self::Finest => "finest",
             Self::LoadPath => "load_path",
             Self::Unchecked => "unchecked",

@@ -107,11 +107,9 @@ impl Scene {
             || analysis.kinematics == Some(KinematicsChoice::Auto)
     }
 
-    /// On which geometry contact is found; left to the program where the division of bodies is, and the undeformed one otherwise.
+    /// On which geometry contact is found; left to the program where the scene has no mesh and no fasteners, and the undeformed one otherwise.
     pub fn kinematics(&self) -> KinematicsChoice {
-        let is_free = !self.is_divided_anywhere()
-            && self.analysis.contact_nodes.is_none()
-            && self.fasteners.is_empty();
+        let is_free = !self.is_divided_anywhere() && self.fasteners.is_empty();
         let default = if is_free {
             KinematicsChoice::Auto
         } else {

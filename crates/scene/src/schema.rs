@@ -26,7 +26,7 @@ use crate::units::Unit;
 pub use analysis::{Analysis, ComplianceChoice, KinematicsChoice, ModelChoice, Ramp, SolverChoice};
 pub use bearing::BearingLaw;
 pub use contact::{Contact, GapKind, ProjectionChoice};
-pub use demand::{Accuracy, Bounds, Budget, RelativeError};
+pub use demand::{Accuracy, Bounds, Budget, Memory, RelativeError};
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
 pub use fastener::{Fastener, Springs};
 pub use loads::{Load, LoadKind, PolarTable};

@@ -7,7 +7,7 @@ use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
 use super::sets;
 use super::solved::{Operator, Solved};
-use crate::model::Model;
+use crate::model::{Model, ModelSet};
 use crate::results::SetMotion;
 use crate::series::SeriesBody;
 
@@ -34,7 +34,7 @@ pub(super) struct Recovered {
     pub(super) motions: Vec<Vec<f64>>,
     /// Balance per body; `None` for a rigid one.
     pub(super) balance: Vec<Option<BodyBalance>>,
-    /// Force and displacement of the model's sets; `None` of bodies that are not recovered for an audit.
+    /// Force and displacement of the model's sets; `None` of bodies that are not recovered, and where sets are not asked for.
     pub(super) sets: Vec<Option<SetMotion>>,
     pub(super) multipliers: Vec<f64>,
     /// What the compliance of each body that has it in blocks leaves out of the displacements of its contact points `[mm]`, 2n; empty for
@@ -83,13 +83,23 @@ pub(super) fn recover(model: &Model, solved: &Solved) -> Vec<Recovered> {
     let steps = solved.records.len();
     let keeps_all = steps <= TOGETHER || values * steps <= KEPT;
     let all: Vec<usize> = (0..solved.operators.len()).collect();
-    pass(model, solved, &all, true, HELD, |body| {
+    let audit = Pass {
+        audits: true,
+        sets: true,
+        held: HELD,
+    };
+    audit.of(model, solved, &all, |body| {
         keeps_all || model.is_asked_for_stresses(body)
     })
 }
 
-/// Recovers the displacements of the bodies with the indices `wanted` alone, and the reactions on edges in contact, without an audit.
-pub(super) fn recover_some(model: &Model, solved: &Solved, wanted: &[usize]) -> Vec<Recovered> {
+/// Recovers the displacements of the bodies with the indices `wanted` alone, and the reactions on edges in contact, without an audit; also their `sets` if these are asked for.
+pub(super) fn recover_some(
+    model: &Model,
+    solved: &Solved,
+    wanted: &[usize],
+    sets: bool,
+) -> Vec<Recovered> {
     let in_contact = model.edges.iter().filter(|edge| edge.pair.is_some());
     let held = in_contact.filter(|edge| edge.is_held_on(edge.geometry.body));
     let mut all: Vec<usize> = wanted
@@ -99,111 +109,170 @@ pub(super) fn recover_some(model: &Model, solved: &Solved, wanted: &[usize]) -> 
         .collect();
     all.sort_unstable();
     all.dedup();
-    pass(model, solved, &all, false, HELD, |_| true)
+    let some = Pass {
+        audits: false,
+        sets,
+        held: HELD,
+    };
+    some.of(model, solved, &all, |_| true)
 }
 
-/// Recovers the bodies `wanted`, about `held` numbers at once.
-fn pass(
-    model: &Model,
-    solved: &Solved,
-    wanted: &[usize],
+/// What is recovered beside displacements.
+#[derive(Clone, Copy)]
+struct Pass {
+    /// Balances.
     audits: bool,
+    /// Forces and displacements of sets.
+    sets: bool,
+    /// Numbers that are held at once.
     held: usize,
-    keeps: impl Fn(usize) -> bool,
-) -> Vec<Recovered> {
-    let records = &solved.records;
-    let bodies = solved.operators.len();
-    let mut all: Vec<Recovered> = records
-        .iter()
-        .map(|record| Recovered {
-            displacement: vec![Vec::new(); bodies],
-            stress: vec![Vec::new(); bodies],
-            free_edges: vec![Vec::new(); model.edges.len()],
-            reactions: vec![Vec::new(); model.edges.len()],
-            motions: motions(solved, record),
-            balance: vec![None; bodies],
-            sets: vec![None; model.sets.len()],
-            multipliers: record.state.multipliers.clone(),
-            left_out: vec![Vec::new(); bodies],
-            dropped: false,
-        })
-        .collect();
-    for &index in wanted {
-        if audits {
-            for (record, step) in records.iter().zip(&mut all) {
-                let own = (index, record);
-                sets::of_rigid(model, solved, own, &step.motions[index], &mut step.sets);
-            }
-        }
-        if let Some(body) = solved.operators.get(index).and_then(Operator::series) {
-            recover_series(model, solved, (index, body), audits, &mut all);
-        }
-        let Some(body) = solved.operators.get(index).and_then(Operator::elastic) else {
-            continue;
-        };
-        let together = TOGETHER.max(held / values_of(body).max(1));
-        for (records, steps) in records.chunks(together).zip(all.chunks_mut(together)) {
-            let forces = forces_on(solved, records, index);
-            let states = loads_on(records, &forces);
-            let displacements = body.displacements_of(&states);
-            if audits || model.edges.iter().any(|edge| edge.is_held_on(index)) {
-                let found = (displacements.as_slice(), states.as_slice());
-                audit(model, (index, body), records, found, audits, steps);
-            }
-            if body.blocks().is_some() {
-                for ((step, u), state) in steps.iter_mut().zip(&displacements).zip(&states) {
-                    step.left_out[index] = left_out(body, u, state);
+}
+
+impl Pass {
+    /// Recovers the bodies `wanted`.
+    fn of(
+        self,
+        model: &Model,
+        solved: &Solved,
+        wanted: &[usize],
+        keeps: impl Fn(usize) -> bool,
+    ) -> Vec<Recovered> {
+        let records = &solved.records;
+        let bodies = solved.operators.len();
+        let mut all: Vec<Recovered> = records
+            .iter()
+            .map(|record| Recovered {
+                displacement: vec![Vec::new(); bodies],
+                stress: vec![Vec::new(); bodies],
+                free_edges: vec![Vec::new(); model.edges.len()],
+                reactions: vec![Vec::new(); model.edges.len()],
+                motions: motions(solved, record),
+                balance: vec![None; bodies],
+                sets: vec![None; model.sets.len()],
+                multipliers: record.state.multipliers.clone(),
+                left_out: vec![Vec::new(); bodies],
+                dropped: false,
+            })
+            .collect();
+        for &index in wanted {
+            if self.sets {
+                for (record, step) in records.iter().zip(&mut all) {
+                    let own = (index, record);
+                    sets::of_rigid(model, solved, own, &step.motions[index], &mut step.sets);
                 }
             }
-            for (step, u) in steps.iter_mut().zip(displacements) {
-                for (edge, moved) in model.edges.iter().zip(&mut step.free_edges) {
-                    if edge.geometry.body == index && edge.pair.is_none() {
-                        let at = |&node: &usize| [u[2 * node], u[2 * node + 1]];
-                        *moved = edge.nodes.iter().map(at).collect();
+            if let Some(body) = solved.operators.get(index).and_then(Operator::series) {
+                self.recover_series(model, solved, (index, body), &mut all);
+            }
+            let Some(body) = solved.operators.get(index).and_then(Operator::elastic) else {
+                continue;
+            };
+            let together = TOGETHER.max(self.held / values_of(body).max(1));
+            for (records, steps) in records.chunks(together).zip(all.chunks_mut(together)) {
+                let forces = forces_on(solved, records, index);
+                let states = loads_on(records, &forces);
+                let displacements = body.displacements_of(&states);
+                let found = (displacements.as_slice(), states.as_slice());
+                let residuals = if self.needs_residuals(model, index) {
+                    self.audit(model, (index, body), found, steps)
+                } else {
+                    vec![Vec::new(); displacements.len()]
+                };
+                if self.finds_sets(model, index) {
+                    let both = displacements.iter().zip(&residuals).zip(&states);
+                    for ((record, step), ((u, residual), state)) in
+                        records.iter().zip(steps.iter_mut()).zip(both)
+                    {
+                        let motions = &step.motions[index];
+                        let own = (index, body, motions.as_slice());
+                        let found = [u.as_slice(), residual];
+                        sets::of_elastic(model, own, (record, state), found, &mut step.sets);
                     }
                 }
-                if keeps(index) {
-                    step.displacement[index] = u;
-                } else {
-                    step.dropped = true;
+                if body.blocks().is_some() {
+                    for ((step, u), state) in steps.iter_mut().zip(&displacements).zip(&states) {
+                        step.left_out[index] = left_out(body, u, state);
+                    }
+                }
+                for (step, u) in steps.iter_mut().zip(displacements) {
+                    for (edge, moved) in model.edges.iter().zip(&mut step.free_edges) {
+                        if edge.geometry.body == index && edge.pair.is_none() {
+                            let at = |&node: &usize| [u[2 * node], u[2 * node + 1]];
+                            *moved = edge.nodes.iter().map(at).collect();
+                        }
+                    }
+                    if keeps(index) {
+                        step.displacement[index] = u;
+                    } else {
+                        step.dropped = true;
+                    }
                 }
             }
         }
+        all
     }
-    all
-}
 
-/// The balance of the body with this index, its reactions on held edges and the motions of its sets, for each of `records`, from its displacements and from what acts on it; without
-/// `audits` the reactions alone.
-fn audit(
-    model: &Model,
-    (index, body): (usize, &CondensedBody),
-    records: &[StepRecord],
-    (displacements, states): (&[Vec<f64>], &[BodyLoad<'_>]),
-    audits: bool,
-    steps: &mut [Recovered],
-) {
-    let residuals = body.residual_forces_of(displacements, states);
-    let balances = body.balances_of(&residuals, displacements, states);
-    let found = residuals.iter().zip(displacements);
-    for ((step, balance), (residual, u)) in steps.iter_mut().zip(balances).zip(found) {
-        step.balance[index] = audits.then_some(balance);
-        let mut reactions = residual.clone();
-        let springs = body.body().spring_forces(u);
-        let both = reactions.iter_mut().zip(springs);
-        both.for_each(|(sum, force)| *sum += force);
-        step.add_reactions(model, index, &reactions);
+    /// Whether sets of the body with this index are found.
+    fn finds_sets(self, model: &Model, index: usize) -> bool {
+        self.sets && model.sets.iter().any(|own| own.set.body == index)
     }
-    if !audits || model.sets.iter().all(|own| own.set.body != index) {
-        return;
+
+    /// Whether unbalanced nodal forces of the body with this index are needed.
+    fn needs_residuals(self, model: &Model, index: usize) -> bool {
+        let mut edges = model.edges.iter();
+        let mut sets = model.sets.iter().filter(|own| own.set.body == index);
+        self.audits
+            || edges.any(|edge| edge.is_held_on(index))
+            || self.sets && sets.any(ModelSet::is_held_at_nodes)
     }
-    let found = displacements.iter().zip(&residuals).zip(states);
-    for ((record, step), ((u, residual), state)) in records.iter().zip(steps.iter_mut()).zip(found)
-    {
-        let motions = &step.motions[index];
-        let own = (index, body, motions.as_slice());
-        let found = [u.as_slice(), residual];
-        sets::of_elastic(model, own, (record, state), found, &mut step.sets);
+
+    /// The balance of the body with this index, its reactions on held edges and its unbalanced nodal forces, for each of `steps`, from its displacements and from what acts on it.
+    fn audit(
+        self,
+        model: &Model,
+        (index, body): (usize, &CondensedBody),
+        (displacements, states): (&[Vec<f64>], &[BodyLoad<'_>]),
+        steps: &mut [Recovered],
+    ) -> Vec<Vec<f64>> {
+        let residuals = body.residual_forces_of(displacements, states);
+        let balances = body.balances_of(&residuals, displacements, states);
+        let found = residuals.iter().zip(displacements);
+        for ((step, balance), (residual, u)) in steps.iter_mut().zip(balances).zip(found) {
+            step.balance[index] = self.audits.then_some(balance);
+            let mut reactions = residual.clone();
+            let springs = body.body().spring_forces(u);
+            let both = reactions.iter_mut().zip(springs);
+            both.for_each(|(sum, force)| *sum += force);
+            step.add_reactions(model, index, &reactions);
+        }
+        residuals
+    }
+
+    /// Recovers of a body by series what no field needs: its balance, and its stresses where they are asked about.
+    fn recover_series(
+        self,
+        model: &Model,
+        solved: &Solved,
+        (index, body): (usize, &SeriesBody),
+        all: &mut [Recovered],
+    ) {
+        for (record, step) in solved.records.iter().zip(all) {
+            let forces = solved.forces_on_body(record, index);
+            let is_carried = model.fastener_of(index).is_some();
+            step.balance[index] = self
+                .audits
+                .then(|| body.balance(&forces, record, is_carried));
+            step.dropped = true;
+            if self.sets {
+                let own = (index, body, step.motions[index].as_slice());
+                sets::of_series(model, own, (record, &forces), &mut step.sets);
+            }
+            if model.is_asked_for_stresses(index)
+                && let Some(own) = model.bodies[index].elastic()
+            {
+                step.stress[index] = body.stresses(record, &forces, own.mesh().nodes());
+            }
+        }
     }
 }
 
@@ -214,31 +283,6 @@ fn left_out(body: &CondensedBody, u: &[f64], state: &BodyLoad<'_>) -> Vec<f64> {
     let nodes = body.interface_nodes().iter();
     let recovered = nodes.flat_map(|&node| [u[2 * node], u[2 * node + 1]]);
     recovered.zip(seen.iter()).map(|(a, b)| a - b).collect()
-}
-
-/// Recovers of a body by series what no field needs: its balance, and its stresses where they are asked about.
-fn recover_series(
-    model: &Model,
-    solved: &Solved,
-    (index, body): (usize, &SeriesBody),
-    audits: bool,
-    all: &mut [Recovered],
-) {
-    for (record, step) in solved.records.iter().zip(all) {
-        let forces = solved.forces_on_body(record, index);
-        let is_carried = model.fastener_of(index).is_some();
-        step.balance[index] = audits.then(|| body.balance(&forces, record, is_carried));
-        step.dropped = true;
-        if audits {
-            let own = (index, body, step.motions[index].as_slice());
-            sets::of_series(model, own, (record, &forces), &mut step.sets);
-        }
-        if model.is_asked_for_stresses(index)
-            && let Some(own) = model.bodies[index].elastic()
-        {
-            step.stress[index] = body.stresses(record, &forces, own.mesh().nodes());
-        }
-    }
 }
 
 /// Displacements of a body by series at `places`, without its rigid motions, x and y of each in turn.
@@ -336,8 +380,13 @@ mod tests {
     fn what_is_not_kept_is_recovered_again() {
         let (model, solved) = solved();
         let bodies = [0, 1];
-        let kept = pass(&model, &solved, &bodies, true, usize::MAX, |_| true);
-        let mut dropped = pass(&model, &solved, &bodies, true, 0, |_| false);
+        let at_once = |held: usize| Pass {
+            audits: true,
+            sets: true,
+            held,
+        };
+        let kept = at_once(usize::MAX).of(&model, &solved, &bodies, |_| true);
+        let mut dropped = at_once(0).of(&model, &solved, &bodies, |_| false);
         let close = |one: &[f64], other: &[f64]| {
             let largest = one
                 .iter()

@@ -3,6 +3,7 @@
 mod contact;
 mod free;
 mod joint;
+mod points;
 
 use std::collections::BTreeMap;
 
@@ -71,17 +72,9 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             "'{body}' was moved by {} into {hole}, which holds it: its file puts it somewhere else.",
             units.length.show(distance.value())
         ),
-        Finding::PointSupports { bodies } => format!(
-            "Elastic bodies held at a single point: {}. Other supports share the load, and the displacement of a point grows with every \
-             finer mesh, so load shares depend on the mesh. Hold a pin over its section (on = \"{}.section\").",
-            quoted(bodies),
-            bodies.first().map_or("pin", String::as_str)
-        ),
-        Finding::PointLoads { loads } => format!(
-            "Forces on a single point: {}. Displacement and stress there grow without limit with every finer mesh, and those that are shown are of this \
-             division. Put the force on an edge, or on the body's section.",
-            quoted(loads)
-        ),
+        Finding::PointSupports { bodies } => points::supports(bodies),
+        Finding::PointDisplacements { bodies, loads } => points::displacements(bodies, loads),
+        Finding::PointLoads { loads } => points::loads(loads),
         Finding::NoLimitAtSupport { edge, steps } => format!(
             "No error is stated for the peak tangential stress along {edge} in {}: it is where a support ends, grows without limit with every \
              finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section.",
@@ -167,6 +160,9 @@ fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
     let why = match end {
         LadderEnd::Budget => {
             "a finer model does not fit in the budget: raise analysis.budget, beside analysis.accuracy"
+        }
+        LadderEnd::Memory => {
+            "a finer model does not fit in the memory that it may take: raise analysis.memory (4 GB where it is not given), or ask for less"
         }
         LadderEnd::Pinned => {
             "the scene prescribes its model: leave out its mesh or contact_nodes, or divide it more finely"

@@ -1,8 +1,8 @@
 //! How far loaded sets move and what held ones take: tables, columns of `steps.csv` and entries of `summary.json`.
 
-use serde::Serialize;
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{LoadedSet, Results, SetKind, SetMotion, Stiffness};
+use stickslip_engine::results::{LoadedSet, Results, SetKind, SetMotion, SetStated};
 use stickslip_report::table::{Columns, Table};
 use stickslip_text::{short, significant, tidy};
 
@@ -37,10 +37,6 @@ impl<'a> SetView<'a> {
         *self.results.steps[step].sets.get(self.index)?
     }
 
-    fn stiffness(&self, step: usize) -> Stiffness {
-        self.results.stiffness(self.index, step)
-    }
-
     /// Whether it is held where it stands.
     fn rests(&self) -> bool {
         let moves = |step| self.at(step).is_some_and(|own| own.displacement != 0.0);
@@ -68,36 +64,56 @@ impl<'a> SetView<'a> {
         }
     }
 
-    fn force_unit(&self) -> &'static str {
-        self.results.units.force.name
-    }
-
-    fn force(&self, step: usize) -> Option<f64> {
-        Some(self.results.units.force.from_base(self.at(step)?.force))
-    }
-
-    fn displacement(&self, step: usize) -> Option<f64> {
-        let unit = self.results.units.length;
-        Some(unit.from_base(self.at(step)?.displacement))
-    }
-
-    fn stiffness_unit(&self) -> String {
+    fn unit(&self, stated: SetStated) -> String {
         let units = self.results.units;
-        format!("{}/{}", units.force.name, units.length.name)
+        match stated {
+            SetStated::Force => units.force.name.to_owned(),
+            SetStated::Displacement => units.length.name.to_owned(),
+            SetStated::Secant | SetStated::Tangent => {
+                format!("{}/{}", units.force.name, units.length.name)
+            }
+        }
     }
 
-    /// A stiffness in display units.
-    fn shown(&self, stiffness: f64) -> f64 {
+    /// A number or an error in display units.
+    fn shown(&self, stated: SetStated, value: f64) -> f64 {
         let units = self.results.units;
-        units.force.from_base(stiffness) / units.length.from_base(1.0)
+        match stated {
+            SetStated::Force => units.force.from_base(value),
+            SetStated::Displacement => units.length.from_base(value),
+            SetStated::Secant | SetStated::Tangent => {
+                units.force.from_base(value) / units.length.from_base(1.0)
+            }
+        }
     }
 
-    fn secant(&self, step: usize) -> Option<f64> {
-        self.stiffness(step).secant.map(|own| self.shown(own))
+    fn number(&self, step: usize, stated: SetStated) -> Option<f64> {
+        let numbers = self.results.set_numbers(self.index, step);
+        Some(self.shown(stated, numbers.get(stated)?))
     }
 
-    fn tangent(&self, step: usize) -> Option<f64> {
-        self.stiffness(step).tangent.map(|own| self.shown(own))
+    /// Its error; none of a given one.
+    fn error(&self, step: usize, stated: SetStated) -> Option<f64> {
+        let is_given = match stated {
+            SetStated::Force => !self.is_held(),
+            SetStated::Displacement => self.is_held() && self.rests(),
+            SetStated::Secant | SetStated::Tangent => false,
+        };
+        let errors = self.results.set_errors(self.index, step);
+        let error = errors.get(stated).filter(|_| !is_given)?;
+        Some(self.shown(stated, error))
+    }
+
+    /// A number with its error, for a table.
+    fn cell(&self, step: usize, stated: SetStated) -> String {
+        let Some(value) = self.number(step, stated) else {
+            return "–".into();
+        };
+        let value = significant(value, 5);
+        match self.error(step, stated) {
+            Some(error) => format!("{value} ± {}", significant(error, 2)),
+            None => value,
+        }
     }
 
     /// Its entry in `summary.json` at the end of `step`.
@@ -116,14 +132,11 @@ impl<'a> SetView<'a> {
                     tidy(y.atan2(x).to_degrees())
                 }
             },
-            force: self
-                .force(step)
-                .map(|value| Quantity::new(value, self.force_unit())),
-            displacement: (self.displacement(step))
-                .map(|value| Quantity::new(value, self.results.units.length.name)),
-            stiffness: (self.secant(step)).map(|value| Quantity::new(value, self.stiffness_unit())),
-            tangent_stiffness: (self.tangent(step))
-                .map(|value| Quantity::new(value, self.stiffness_unit())),
+            numbers: SetStated::ALL.map(|stated| {
+                let quantity = |value| Quantity::new(value, self.unit(stated));
+                let number = self.number(step, stated).map(quantity);
+                (key(stated), number, self.error(step, stated).map(quantity))
+            }),
         }
     }
 }
@@ -149,20 +162,18 @@ pub(super) fn tables(results: &Results) -> Vec<Table> {
 }
 
 fn table(set: SetView<'_>) -> Table {
-    let cell = |value: Option<f64>| value.map_or("–".into(), |value| significant(value, 5));
-    let unit = set.stiffness_unit();
-    let mut columns = Columns::new()
-        .with("step", "", |step: usize| (step + 1).to_string())
-        .with("force", set.force_unit(), move |step| cell(set.force(step)))
-        .with("displacement", set.results.units.length.name, move |step| {
-            cell(set.displacement(step))
-        })
-        .with("stiffness", unit.clone(), move |step| {
-            cell(set.secant(step))
-        });
     let steps = set.results.steps.len();
-    if steps > 1 {
-        columns = columns.with("tangent", unit, move |step| cell(set.tangent(step)));
+    let mut columns = Columns::new().with("step", "", |step: usize| (step + 1).to_string());
+    for (heading, stated) in [
+        ("force", SetStated::Force),
+        ("displacement", SetStated::Displacement),
+        ("stiffness", SetStated::Secant),
+        ("tangent", SetStated::Tangent),
+    ] {
+        if steps > 1 || stated != SetStated::Tangent {
+            let unit = set.unit(stated);
+            columns = columns.with(heading, unit, move |step| set.cell(step, stated));
+        }
     }
     let on = &set.set.on;
     let caption = if set.is_held() {
@@ -186,21 +197,17 @@ pub(super) fn reactions(results: &Results) -> Option<Table> {
         step + 1
     );
     let headings = format!("set | along | reaction [{}]", results.units.force.name);
-    let largest = sets.iter().filter_map(|own| own.force(step));
+    let force = |own: SetView<'_>| own.number(step, SetStated::Force);
+    let largest = sets.iter().filter_map(|own| force(*own));
     let largest = largest.fold(0.0, |most: f64, force| most.max(force.abs()));
     let row = |own: SetView<'_>| {
-        let force = own.force(step).map(|force| {
-            if force.abs() > ROUNDING * largest {
-                significant(force, 5)
-            } else {
-                "0".to_owned()
-            }
-        });
-        [
-            own.set.on.clone(),
-            own.direction(),
-            force.unwrap_or_else(|| "–".into()),
-        ]
+        let is_zero = force(own).is_some_and(|force| force.abs() <= ROUNDING * largest);
+        let reaction = if is_zero {
+            "0".to_owned()
+        } else {
+            own.cell(step, SetStated::Force)
+        };
+        [own.set.on.clone(), own.direction(), reaction]
     };
     Some(Table::headed(caption, &headings).with_rows(sets.into_iter().map(row)))
 }
@@ -209,43 +216,71 @@ pub(super) fn reactions(results: &Results) -> Option<Table> {
 pub(super) fn csv_columns(results: &Results) -> Columns<'_, usize> {
     let mut columns = Columns::new();
     for set in SetView::all(results) {
-        let cell = |value: Option<f64>| value.map_or_else(String::new, number);
-        let column = |what: &str| format!("{}: {what}", set.name());
-        let unit = set.stiffness_unit();
-        if set.is_held() {
-            columns = columns.with(column("reaction"), set.force_unit(), move |step| {
-                cell(set.force(step))
+        for stated in SetStated::ALL {
+            let is_shown = match stated {
+                SetStated::Force => set.is_held(),
+                _ => !set.rests(),
+            };
+            if !is_shown {
+                continue;
+            }
+            let what = if stated == SetStated::Force {
+                "reaction"
+            } else {
+                key(stated)
+            };
+            let name = format!("{}: {what}", set.name());
+            let cell = |value: Option<f64>| value.map_or_else(String::new, number);
+            let error = format!("{name}_error");
+            columns = columns.with(name, set.unit(stated), move |step| {
+                cell(set.number(step, stated))
             });
+            if results.ladder.is_some() {
+                columns = columns.with(error, set.unit(stated), move |step| {
+                    cell(set.error(step, stated))
+                });
+            }
         }
-        if set.rests() {
-            continue;
-        }
-        let length = results.units.length.name;
-        columns = columns
-            .with(column("displacement"), length, move |step| {
-                cell(set.displacement(step))
-            })
-            .with(column("stiffness"), unit.clone(), move |step| {
-                cell(set.secant(step))
-            })
-            .with(column("tangent_stiffness"), unit, move |step| {
-                cell(set.tangent(step))
-            });
     }
     columns
 }
 
+/// The name of a number in files.
+fn key(stated: SetStated) -> &'static str {
+    match stated {
+        SetStated::Force => "force",
+        SetStated::Displacement => "displacement",
+        SetStated::Secant => "stiffness",
+        SetStated::Tangent => "tangent_stiffness",
+    }
+}
+
 /// A set in `summary.json`, in a step.
-#[derive(Debug, Serialize)]
+#[derive(Debug)]
 pub(super) struct Entry<'a> {
     name: &'a str,
     on: &'a str,
     kind: &'static str,
     direction_deg: Option<f64>,
-    force: Option<Quantity>,
-    displacement: Option<Quantity>,
-    stiffness: Option<Quantity>,
-    tangent_stiffness: Option<Quantity>,
+    /// Key, number and error.
+    numbers: [(&'static str, Option<Quantity>, Option<Quantity>); 4],
+}
+
+impl Serialize for Entry<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("name", self.name)?;
+        map.serialize_entry("on", self.on)?;
+        map.serialize_entry("kind", self.kind)?;
+        map.serialize_entry("direction_deg", &self.direction_deg)?;
+        for (key, number, error) in &self.numbers {
+            map.serialize_entry(key, number)?;
+            if let Some(error) = error {
+                map.serialize_entry(&format!("{key}_error"), error)?;
+            }
+        }
+        map.end()
+    }
 }
 
 /// The sets at the end of `step` in `summary.json`.

@@ -313,6 +313,7 @@ fn end(end: LadderEnd) -> &'static str {
         LadderEnd::Reached => "reached",
         LadderEnd::Pinned => "not reached: the scene pins the model",
         LadderEnd::Budget => "not reached within the budget",
+        LadderEnd::Memory => "not reached within the memory",
         LadderEnd::Finest => "not reached by the finest model that is tried",
         LadderEnd::LoadPath => "not reached: the increments of load steps leave more",
         LadderEnd::Unchecked => "not known: gaps on the deformed geometry were not found",

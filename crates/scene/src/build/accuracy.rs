@@ -38,6 +38,26 @@ impl Builder<'_> {
         }
     }
 
+    /// Refuses a memory that bounds nothing.
+    fn bound_memory(&mut self, format: &SceneFormat) {
+        const KEY: &str = "analysis.memory";
+        let Some(memory) = format.analysis.memory else {
+            return;
+        };
+        let mut bodies = self.bodies.values();
+        let is_pinned = format.mesh.is_some()
+            || format.analysis.contact_nodes.is_some()
+            || bodies.any(|body| body.mesh.is_some() || body.shape.has_own_mesh());
+        if memory.bytes() <= 0.0 {
+            let allowed = "an amount of memory above 0 GB";
+            self.out_of_range(KEY, &format!("\"{memory}\""), allowed);
+        } else if is_pinned {
+            let message = "memory bounds finer models, and the scene prescribes its own";
+            let remedy = "remove memory, or leave out mesh and contact_nodes";
+            self.conflict(KEY, message, remedy);
+        }
+    }
+
     fn askable(&mut self, key: &str, error: RelativeError) {
         if !error.is_in_range() {
             let allowed = "a relative error of at least 1e-8 and at most 50 %";
@@ -70,6 +90,7 @@ impl Builder<'_> {
             self.conflict("mesh", message, remedy);
         }
         self.given_meshes(format);
+        self.bound_memory(format);
         self.half_planes(format);
         for name in &series {
             let (own, model) = (child("bodies", name), "model = \"series\"");

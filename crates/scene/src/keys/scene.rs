@@ -40,7 +40,7 @@ pub(super) const TABLES: &[Table] = &[
             "half: y ≥ 0 of round shapes, x ≥ 0 of a line contact; auto takes it where shapes, materials, supports, platens, \
             loads and friction laws are symmetric and it has all `edges`; half is refused where they are not; a rectangle has \
             no half"),
-        words("kinematics", r#"`"small"`, `"deformed-gaps"`, `"auto"`"#, r#"`"small"` with a mesh, `contact_nodes` or fasteners, `"auto"` without"#, r#""deformed-gaps""#,
+        words("kinematics", r#"`"small"`, `"deformed-gaps"`, `"auto"`"#, r#"`"small"` with a mesh or fasteners, `"auto"` without"#, r#""deformed-gaps""#,
             "small: contact is found on the undeformed geometry; deformed-gaps: gaps, normals and closest points follow the displacement, \
             between linear bodies, for exact gaps and matching meshes; not for progressive failure and experiments; auto: deformed-gaps where it \
             changes more than three tenths of the accuracy, otherwise small with the change among the errors"),
@@ -68,6 +68,8 @@ pub(super) const TABLES: &[Table] = &[
             `hoop_at_bearing`"),
         words("budget", "time", r#"`"60 s"` without `accuracy`, no limit with it"#, r#""10 s""#,
             "time after which no finer model is tried, and one that is not ready is given up; the result then states the error that it has; needs `accuracy`"),
+        words("memory", "memory", r#"`"4 GB"`"#, r#""16 GB""#,
+            "estimated memory above which no finer model of elements is tried; the result then states the error that it has; for scenes whose mesh is left to the program"),
         integer("contact_nodes", "by the accuracy", "61",
             "nodes on half of each contact circle of bodies by series; pins them").range(counts(9, 2049)),
     ]),

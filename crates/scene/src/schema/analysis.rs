@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::material::PlaneState;
 
-use super::demand::{Accuracy, Budget};
+use super::demand::{Accuracy, Budget, Memory};
 
 /// How the model is solved: `[analysis]`, whose keys its fields are.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -38,6 +38,9 @@ pub struct Analysis {
     /// Time within which the accuracy is to be reached.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub budget: Option<Budget>,
+    /// Memory that finer models may take; [`Memory::DEFAULT`] where none is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub memory: Option<Memory>,
     /// Nodes on half of each contact circle of bodies by series.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contact_nodes: Option<usize>,
@@ -56,6 +59,7 @@ impl Default for Analysis {
             ramp: None,
             accuracy: None,
             budget: None,
+            memory: None,
             contact_nodes: None,
         }
     }

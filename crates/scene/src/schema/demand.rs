@@ -1,4 +1,4 @@
-//! What is asked of the results: how accurate, and how soon.
+//! What is asked of the results: how accurate, how soon, and in how much memory.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -10,6 +10,14 @@ use stickslip_text::tidy;
 
 /// Units of time with their length in seconds.
 const TIMES: [(&str, f64); 4] = [("ms", 1e-3), ("s", 1.0), ("min", 60.0), ("h", 3600.0)];
+
+/// Units of memory with their length in bytes.
+const SIZES: [(&str, f64); 4] = [
+    ("MB", 1e6),
+    ("GB", 1e9),
+    ("MiB", 1_048_576.0),
+    ("GiB", 1_073_741_824.0),
+];
 
 /// An error relative to its number: `"1 %"` or `0.01`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,6 +64,10 @@ pub struct Bounds {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Budget(f64);
 
+/// Memory that a run may take: `"4 GB"`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Memory(f64);
+
 impl RelativeError {
     /// Least and largest one that can be asked for.
     pub const RANGE: [f64; 2] = [1e-8, 0.5];
@@ -101,6 +113,16 @@ impl Budget {
     }
 }
 
+impl Memory {
+    /// What is taken where none is given: 4 GB.
+    pub const DEFAULT: Self = Self(4e9);
+
+    /// The memory in bytes.
+    pub fn bytes(self) -> f64 {
+        self.0
+    }
+}
+
 impl fmt::Display for RelativeError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         // Not the tail of digits that a hundredth leaves.
@@ -112,6 +134,12 @@ impl fmt::Display for RelativeError {
 impl fmt::Display for Budget {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{} s", self.0)
+    }
+}
+
+impl fmt::Display for Memory {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{} GB", self.0 / 1e9)
     }
 }
 
@@ -141,13 +169,27 @@ impl Written for Budget {
         "a time with its unit in quotes such as \"10 s\" (ms, s, min, h)";
 
     fn read(text: &str) -> Option<Self> {
-        let text = text.trim();
-        let end = text.find(|letter: char| letter.is_alphabetic() && letter != 'e')?;
-        let (number, unit) = text.split_at(end);
-        let (_, length) = TIMES.iter().find(|(name, _)| *name == unit.trim())?;
-        let value = number.trim().parse::<f64>().ok()?;
-        value.is_finite().then_some(Self(length * value))
+        with_unit(text, &TIMES).map(Self)
     }
+}
+
+impl Written for Memory {
+    const EXPECTED: &'static str =
+        "an amount of memory with its unit in quotes such as \"4 GB\" (MB, GB, MiB, GiB)";
+
+    fn read(text: &str) -> Option<Self> {
+        with_unit(text, &SIZES).map(Self)
+    }
+}
+
+/// The number that stands before one of `units`, times its length.
+fn with_unit(text: &str, units: &[(&str, f64)]) -> Option<f64> {
+    let text = text.trim();
+    let end = text.find(|letter: char| letter.is_alphabetic() && letter != 'e')?;
+    let (number, unit) = text.split_at(end);
+    let (_, length) = units.iter().find(|(name, _)| *name == unit.trim())?;
+    let value = number.trim().parse::<f64>().ok()?;
+    value.is_finite().then_some(length * value)
 }
 
 impl Serialize for RelativeError {
@@ -157,6 +199,12 @@ impl Serialize for RelativeError {
 }
 
 impl Serialize for Budget {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.to_string())
+    }
+}
+
+impl Serialize for Memory {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.to_string())
     }
@@ -214,6 +262,12 @@ impl<'de> Deserialize<'de> for Budget {
     }
 }
 
+impl<'de> Deserialize<'de> for Memory {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Text(PhantomData))
+    }
+}
+
 struct Text<W>(PhantomData<W>);
 
 impl<W: Written> Visitor<'_> for Text<W> {
@@ -245,7 +299,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shares_and_times_are_read_with_their_units() {
+    fn shares_times_and_sizes_are_read_with_their_units() {
         assert_eq!(RelativeError::read("1 %"), Some(RelativeError(0.01)));
         assert_eq!(RelativeError::read("0.002"), Some(RelativeError(0.002)));
         assert_eq!(RelativeError::read("1e-3 %"), Some(RelativeError(1e-5)));
@@ -257,6 +311,12 @@ mod tests {
         }
         for text in ["", "10", "10 parsecs", "s"] {
             assert_eq!(Budget::read(text), None, "{text}");
+        }
+        assert_eq!(Memory::read("1.5e1 GB"), Some(Memory(15e9)));
+        assert_eq!(Memory::read("1 GiB").unwrap().to_string(), "1.073741824 GB");
+        assert_eq!(Memory::read("500 MB").unwrap().to_string(), "0.5 GB");
+        for text in ["", "4", "4 gb", "4 TB", "GB"] {
+            assert_eq!(Memory::read(text), None, "{text}");
         }
     }
 }

@@ -551,6 +551,16 @@ fn accuracies_and_models_that_no_run_can_have() {
     assert!(message.starts_with("budget = "), "{message}");
     let (message, ..) = analysis("accuracy = \"1 %\"\nbudget = 10");
     assert!(message.contains("'10' is not a time"), "{message}");
+    let (message, ..) = analysis("memory = \"0 GB\"");
+    assert!(message.starts_with("memory = "), "{message}");
+    let (message, ..) = analysis("memory = 4");
+    assert!(
+        message.contains("'4' is not an amount of memory"),
+        "{message}"
+    );
+    let (message, help, ..) = analysis("memory = \"8 GB\"");
+    assert!(message.contains("prescribes its own"), "{message}");
+    assert!(help.contains("leave out mesh"), "{help}");
     let (message, ..) = analysis("contact_nodes = 3");
     assert!(message.contains("contact_nodes"), "{message}");
 }

@@ -38,6 +38,7 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
         ramp: _,
         accuracy: _,
         budget: _,
+        memory: _,
         contact_nodes: _,
     } = scene.analysis;
     let elastic = constants.in_plane(plane).ok()?;

@@ -1,6 +1,6 @@
 //! Displacements of loaded sets, reactions of held ones and stiffness: closed forms, half beside whole, series beside elements.
 
-use stickslip::results::{Results, SetKind, SetMotion};
+use stickslip::results::{Finding, Results, SetKind, SetMotion, SetStated};
 
 use super::series::PIN;
 use super::solved;
@@ -164,4 +164,53 @@ fn a_rigid_pin_moves_by_what_the_plate_gives() {
             "{one:?} {other:?}"
         );
     }
+}
+
+const ELEMENTS: [&str; 2] = ["bodies.plate.model=elements", "bodies.pin.model=elements"];
+
+/// Displacements and stiffness of series lie within both errors of those of elements, which share nothing with them but the scene.
+#[test]
+fn errors_of_displacements_hold_what_the_other_operator_finds() {
+    let section = r#"supports.0={ on = "pin.section", fix = ["x", "y"] }"#;
+    let free = PIN.replace("substeps = 1\n", "");
+    let by = |accuracy: &str, model: &[&str]| {
+        let accuracy = format!("analysis.accuracy={{ contact_extent = \"{accuracy}\" }}");
+        solved(&free, &[&[section, accuracy.as_str()], model].concat())
+    };
+    let elements = by("0.3 %", &ELEMENTS);
+    for accuracy in ["10 %", "0.3 %"] {
+        let series = by(accuracy, &[]);
+        for (step, stated) in (0..3).flat_map(|step| SetStated::ALL.map(|stated| (step, stated))) {
+            let both = [&series, &elements];
+            let values = both.map(|own| own.set_numbers(0, step).get(stated));
+            let [Some(one), Some(other)] = values else {
+                assert_eq!((step, stated), (0, SetStated::Tangent));
+                continue;
+            };
+            let errors = both.map(|own| own.set_errors(0, step).get(stated).unwrap());
+            let is_within = (one - other).abs() <= errors[0] + errors[1] + 1e-9 * one.abs();
+            assert!(
+                is_within,
+                "{accuracy} {step} {stated:?} {values:?} {errors:?}"
+            );
+            assert!(errors[0] + errors[1] < 0.02 * one.abs(), "{errors:?}");
+        }
+    }
+}
+
+/// A pin of elements that is held at its centre gives way by the more the smaller its cells are, and so does all that hangs on it.
+#[test]
+fn what_hangs_on_a_point_has_no_error() {
+    let free = PIN.replace("substeps = 1\n", "");
+    let accuracy = "analysis.accuracy={ contact_extent = \"5 %\" }";
+    let found = solved(&free, &[&[accuracy], &ELEMENTS[..]].concat());
+    let hangs = |own: &Finding| matches!(own, Finding::PointDisplacements { bodies, .. } if bodies[..] == ["pin"]);
+    assert!(found.findings.iter().any(hangs));
+    let errors = found.set_errors(0, 1);
+    assert_eq!(errors.get(SetStated::Displacement), None);
+    assert_eq!(errors.get(SetStated::Secant), None);
+    assert!(found.set_errors(1, 1).get(SetStated::Force).is_some());
+    let by_series = solved(&free, &[accuracy]);
+    assert!(!by_series.findings.iter().any(hangs));
+    assert!(by_series.set_errors(0, 1).get(SetStated::Secant).is_some());
 }

@@ -473,6 +473,38 @@ fn a_budget_ends_within_a_model() {
     assert!(stopped > 1, "{stopped}");
 }
 
+/// A finer model that would take more memory than it may is not tried, and the answer before it stands with its errors.
+#[test]
+fn memory_ends_the_climb() {
+    let free = free();
+    let by = |memory: &str| {
+        let changes = [
+            SMALL,
+            "bodies.plate.model=elements",
+            "bodies.pin.model=elements",
+            "analysis.accuracy=\"0.2 %\"",
+            memory,
+        ];
+        solved(&free, &changes)
+    };
+    let [little, much] = ["analysis.memory=\"60 MB\"", "analysis.memory=\"1 GB\""].map(by);
+    let models = |found: &Results| found.ladder.as_ref().unwrap().rungs.len();
+    assert_eq!(little.ladder.as_ref().unwrap().end, LadderEnd::Memory);
+    assert!(models(&much) > models(&little));
+    let missed = |own: &Finding| {
+        matches!(
+            own,
+            Finding::AccuracyMissed {
+                end: LadderEnd::Memory,
+                ..
+            }
+        )
+    };
+    assert!(little.findings.iter().any(missed));
+    let misses = misses(&little, &much, &Stated::ALL);
+    assert!(misses.is_empty(), "{misses:#?}");
+}
+
 /// The same of increments that are left to the program.
 #[test]
 fn a_budget_ends_the_search_for_increments() {

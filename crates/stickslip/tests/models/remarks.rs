@@ -12,6 +12,11 @@ use stickslip::scene::Scene;
 use super::series::PIN;
 use super::{BUSHING, model, results, solved};
 
+/// The bushing with its pin held over its section, since what hangs on a point draws a finding.
+fn joint() -> String {
+    BUSHING.replace("pin.centre", "pin.section")
+}
+
 /// What `kind` takes of the findings on contacts, with the name of each contact.
 fn on_contacts<T>(
     findings: &[Finding],
@@ -43,9 +48,9 @@ fn degrees(place: Quantity) -> f64 {
 
 #[test]
 fn a_plain_joint_needs_no_remark() {
-    assert_eq!(solved(BUSHING, &["analysis.substeps=8"]).findings, []);
+    assert_eq!(solved(&joint(), &["analysis.substeps=8"]).findings, []);
     // In one increment friction of the first step is another, which the second goes on from, and so is that of the turn of the load.
-    let coarse = solved(BUSHING, &[]);
+    let coarse = solved(&joint(), &[]);
     // The second step goes on as the first: the case that holds displacements is none of its loads.
     let path = |step: usize| coarse.steps[step].notes.otherwise.path;
     let increments = |step: usize| path(step).map(|path| path.increments);
@@ -55,7 +60,7 @@ fn a_plain_joint_needs_no_remark() {
     };
     assert_eq!((&coarse.steps[..], coarse.increments), (&[1, 2, 3][..], 4));
     let friction = |substeps: usize| {
-        let found = solved(BUSHING, &[&format!("analysis.substeps={substeps}")]);
+        let found = solved(&joint(), &[&format!("analysis.substeps={substeps}")]);
         found.steps[0].edges[0].friction_force.abs()
     };
     let fine = friction(64);
@@ -89,11 +94,11 @@ fn a_bearing_point_that_moves_is_reported() {
     };
     for extent in ["half", "whole"] {
         let extent = format!("analysis.model={extent}");
-        let turned = solved(BUSHING, &["loads.0.force.direction=[1, 0]", &extent]);
+        let turned = solved(&joint(), &["loads.0.force.direction=[1, 0]", &extent]);
         assert_eq!(on_contacts(&turned.findings, wanders), []);
     }
     let pressed = "loads.0={ on = \"plate.left\", pressure.steps = [\"-5 MPa\", \"4 MPa\"] }";
-    let pressed = solved(BUSHING, &[pressed]);
+    let pressed = solved(&joint(), &[pressed]);
     let places = [(2, 180.0), (1, 0.0)];
     assert_eq!(
         on_contacts(&pressed.findings, wanders),
@@ -106,7 +111,7 @@ fn a_bearing_point_that_moves_is_reported() {
 
 #[test]
 fn a_wide_clearance_is_reported() {
-    let wide = model(BUSHING, &["bodies.pin.shape.disk.radius=4 mm"]);
+    let wide = model(&joint(), &["bodies.pin.shape.disk.radius=4 mm"]);
     let clearance = on_contacts(&wide.findings, |finding| match *finding {
         ContactFinding::WideClearance { clearance } => Some(clearance),
         _ => None,
@@ -119,13 +124,13 @@ fn a_wide_clearance_is_reported() {
 
 #[test]
 fn bodies_of_different_thickness_are_reported() {
-    let uneven = model(BUSHING, &["bodies.pin.thickness=1.5 mm"]).findings;
+    let uneven = model(&joint(), &["bodies.pin.thickness=1.5 mm"]).findings;
     let finding = ContactFinding::UnequalThickness {
         bodies: ["bushing", "pin"].map(String::from),
         thickness: [2.0, 1.5].map(Quantity::Length),
     };
     assert_eq!(uneven, [Finding::about("pin", finding)]);
-    let words = sentence(&uneven[0], solved(BUSHING, &[]).units);
+    let words = sentence(&uneven[0], solved(&joint(), &[]).units);
     assert!(
         words.starts_with("Contact 'pin': 'bushing' is 2 mm thick and 'pin' 1.5 mm."),
         "{words}"
@@ -134,7 +139,7 @@ fn bodies_of_different_thickness_are_reported() {
 
 #[test]
 fn forces_that_cancel_are_nothing() {
-    let whole = solved(BUSHING, &["analysis.model=whole"]);
+    let whole = solved(&joint(), &["analysis.model=whole"]);
     for edge in whole.steps.iter().flat_map(|step| &step.edges) {
         assert_eq!(edge.resultant[1], 0.0);
     }
@@ -150,7 +155,7 @@ fn an_end_of_contact_outside_the_fine_zone_is_reported() {
         let extent = format!("analysis.model={extent}");
         let fine = ["mesh.fine_to=30 deg", "mesh.coarse_spacing=12 deg", &extent];
         assert_eq!(
-            on_contacts(&solved(BUSHING, &fine).findings, beyond),
+            on_contacts(&solved(&joint(), &fine).findings, beyond),
             [("bushing", (2, 30.0)), ("pin", (2, 30.0))]
         );
     }
@@ -161,7 +166,7 @@ fn an_end_of_contact_outside_the_fine_zone_is_reported() {
         "bodies.bushing.shape.plate_with_hole.outline.ring.radius=7.05 mm",
         "contacts.0.interference=true",
     ];
-    let around = solved(BUSHING, &around);
+    let around = solved(&joint(), &around);
     let names: Vec<&str> = (on_contacts(&around.findings, beyond).into_iter())
         .map(|(name, _)| name)
         .collect();
@@ -174,7 +179,7 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
         "contacts.0.friction.coulomb.mu=0",
         "contacts.1.friction.coulomb.mu=0",
     ];
-    let whole = solved(BUSHING, &[&smooth[..], &["analysis.model=whole"]].concat());
+    let whole = solved(&joint(), &[&smooth[..], &["analysis.model=whole"]].concat());
     let bushing = FreeBody {
         body: "bushing".into(),
         motion: FreeMotion::Rotation,
@@ -182,10 +187,10 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
     };
     assert_eq!(free_bodies(&whole.findings)[0], &bushing);
     // Symmetry holds it, and so does friction on either side.
-    let half = solved(BUSHING, &smooth);
+    let half = solved(&joint(), &smooth);
     assert!(free_bodies(&half.findings).is_empty());
     let rubbing = ["analysis.model=whole", "analysis.substeps=8"];
-    let rubbing = solved(BUSHING, &rubbing).findings;
+    let rubbing = solved(&joint(), &rubbing).findings;
     assert_eq!(
         rubbing,
         [
@@ -215,7 +220,7 @@ fn friction_beyond_its_estimated_bound_is_reported() {
     };
     let high = [0, 1].map(|pair| format!("contacts.{pair}.friction.coulomb.mu=3"));
     let changes: Vec<&str> = high.iter().map(String::as_str).collect();
-    let run = solved(BUSHING, &changes);
+    let run = solved(&joint(), &changes);
     let [bound] = bounds(&run.findings)[..] else {
         panic!("{:?}", run.findings);
     };
@@ -232,7 +237,7 @@ fn friction_beyond_its_estimated_bound_is_reported() {
             .iter()
             .all(|step| (step.notes.friction - 3.0).abs() < 1e-9)
     );
-    assert!(bounds(&solved(BUSHING, &[]).findings).is_empty());
+    assert!(bounds(&solved(&joint(), &[]).findings).is_empty());
 }
 
 /// The status iteration cycles on a pin with friction of 0.2; the solver that takes over says so in one line.

@@ -215,20 +215,13 @@ fn the_place_of_the_peak_reaches_over_all_nodes_that_may_be_it() {
     }
 }
 
-/// Where there is no model on the deformed geometry, errors are stated, and it is said what they leave out.
+/// Where there is no model on the deformed geometry, or none is asked for, errors are stated, and it is said what they leave out.
 #[test]
 fn errors_say_that_they_leave_out_the_deformed_geometry() {
     let text = PIN.replace("substeps = 1\n", "");
-    let reasons = |projection: &str| {
-        let results = solved(
-            &text,
-            &[
-                projection,
-                "mesh.spacing=6 deg",
-                "analysis.kinematics=auto",
-                "analysis.accuracy=\"40 %\"",
-            ],
-        );
+    let reasons = |changes: &[&str]| {
+        let asked = ["analysis.accuracy=\"40 %\""];
+        let results = solved(&text, &[changes, &asked].concat());
         let errors = &results.steps[0].edges[0].errors;
         assert!(errors.get(Stated::PeakPressure).is_some());
         let why = results.findings.into_iter().filter_map(|own| match own {
@@ -237,11 +230,27 @@ fn errors_say_that_they_leave_out_the_deformed_geometry() {
         });
         why.collect::<Vec<_>>()
     };
-    assert!(reasons("contacts.0.projection=nodes").is_empty());
-    let [why] = &reasons("contacts.0.projection=mortar")[..] else {
-        panic!("one reason")
-    };
-    assert!(why.contains("mortar projection"), "{why}");
+    let (mesh, auto) = ("mesh.spacing=6 deg", "analysis.kinematics=auto");
+    let nodes = "analysis.contact_nodes=61";
+    for known in [
+        &[mesh, auto][..],
+        &[mesh, "analysis.kinematics=small"],
+        &[nodes],
+    ] {
+        assert!(reasons(known).is_empty(), "{known:?}");
+    }
+    for (left, part) in [
+        (
+            &[mesh, auto, "contacts.0.projection=mortar"][..],
+            "mortar projection",
+        ),
+        (&[mesh], "where a mesh is given"),
+    ] {
+        let [why] = &reasons(left)[..] else {
+            panic!("one reason")
+        };
+        assert!(why.contains(part), "{why}");
+    }
 }
 
 /// An elliptic nose on a flat, without friction: two meshes may have the same peak by chance, which is not its error.

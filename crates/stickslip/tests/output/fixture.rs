@@ -195,6 +195,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         unloading,
         edges: edges.iter().map(|edge| edge_step(edge, index)).collect(),
         sets: Vec::new(),
+        set_errors: Vec::new(),
         fasteners: Vec::new(),
         work: Work {
             solves: 3 + index,
