@@ -1,7 +1,7 @@
 //! Errors of forces, displacements and stiffness of loaded and held sets.
 //!
 //! ```text
-//! size = max(|v_h − v_2h|, |v_2h − v_4h| r),     error = K max(size, WIDE · |v| · the largest size of all steps as a part of v)
+//! size = max(|v_h − v_2h|, |v_2h − v_4h| r),     error = max(size, WIDE · |v| · the largest size of all steps as a part of v)
 //! ```
 //!
 //! r is the part that a change should be of the one before, as in [`division`](super::division). What load path and geometry leave is added.
@@ -11,8 +11,6 @@ use super::numbers::Numbers;
 use super::path;
 use stickslip_engine::results::{Results, SetMotion, SetNumbers, SetStated};
 
-/// The error of a number is at most so many times what models estimate.
-const K: f64 = 1.0;
 /// A change may vanish by chance; this part of the largest one of all steps does not.
 const WIDE: f64 = 0.4;
 /// Part of the largest value of a history by which smaller ones are measured.
@@ -96,7 +94,7 @@ impl Motions {
             });
             let wide =
                 WIDE * value(step) * parts.filter(|part| part.is_finite()).fold(0.0, f64::max);
-            Some(K * size.get(step, set, stated)?.max(wide))
+            Some(size.get(step, set, stated)?.max(wide))
         })
     }
 
