@@ -20,7 +20,7 @@ use rand::SeedableRng;
 use rand::rngs::StdRng;
 use rayon::prelude::*;
 use stickslip::results::{
-    EdgeGeometry, EdgeResults, LadderEnd, Results, SetKind, SetNumbers, SetStated, Stated,
+    EdgeGeometry, EdgeResults, LadderEnd, Results, SetNumbers, SetStated, Stated,
 };
 use stickslip::run::run;
 use stickslip::scene::{Format, Scene};
@@ -258,25 +258,21 @@ struct At {
 }
 
 impl Compared {
-    /// Adds the numbers of the set with this index in a step beside those of the truth, but a force that is given.
+    /// Adds the numbers of the set with this index in a step beside those of the truth, but what is given.
     fn add_set(&mut self, [found, truth]: [&Results; 2], step: usize, set: usize) {
-        let is_held = matches!(found.sets[set].kind, SetKind::Held { .. });
-        let given = if is_held {
-            SetStated::Displacement
-        } else {
-            SetStated::Force
-        };
-        for stated in SetStated::ALL.into_iter().filter(|own| *own != given) {
+        for stated in SetStated::ALL {
             let get = |own: SetNumbers| own.get(stated);
             let [value, exact] = [found, truth].map(|own| get(own.set_numbers(set, step)));
             let [error, doubt] = [found, truth].map(|own| get(own.set_errors(set, step)));
-            if let (Some(value), Some(exact)) = (value, exact) {
+            if let (Some(value), Some(exact), Some(error), Some(doubt)) =
+                (value, exact, error, doubt)
+            {
                 self.numbers.push(Number {
                     name: stated.describe(),
                     step: step + 1,
                     unloading: found.steps[step].unloading,
                     values: [value, exact],
-                    errors: error.zip(doubt).map(|(error, doubt)| [error, doubt]),
+                    errors: Some([error, doubt]),
                 });
             }
         }

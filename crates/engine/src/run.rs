@@ -10,6 +10,7 @@ mod failure;
 mod fasteners;
 mod fields;
 mod follow;
+mod points;
 mod progressive;
 mod remarks;
 mod reported;
@@ -30,6 +31,7 @@ use stickslip_fem_core::{InterfaceOperator, parallel};
 pub use assembled::{Assembled, condense};
 pub use error::{ProgressiveRunError, RunError};
 pub use follow::{Progress, follow};
+pub use points::numbers_with_errors;
 pub use solved::{Operator, OwnNodes, Solved};
 pub use thinned::follow_thinned;
 pub use whole_motion::{MovingBody, WholeMotion};
@@ -152,7 +154,7 @@ pub fn results_without_audit(
     for record in &mut solved.records {
         record.parts.clear();
     }
-    let recovered = fields::recover_some(model, &solved, bodies, false);
+    let recovered = fields::recover_some(model, &solved, bodies);
     reported(model, solver, solved, recovered, &[], start)
 }
 
@@ -173,11 +175,8 @@ pub struct Comparable {
 /// [`RunError::Stress`].
 pub fn comparable(model: &Model, solved: &Solved) -> Result<Comparable, RunError> {
     let free = model.edges.iter().filter(|edge| edge.pair.is_none());
-    let free = free.map(|edge| edge.geometry.body);
-    let wanted: Vec<usize> = free
-        .chain(model.sets.iter().map(|own| own.set.body))
-        .collect();
-    let recovered = fields::recover_some(model, solved, &wanted, true);
+    let free: Vec<usize> = free.map(|edge| edge.geometry.body).collect();
+    let recovered = fields::recover_with_sets(model, solved, &free);
     let (geometries, edges) = edges::all(model, solved, &recovered)?;
     Ok(Comparable {
         geometries,
@@ -188,7 +187,7 @@ pub fn comparable(model: &Model, solved: &Solved) -> Result<Comparable, RunError
 
 /// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
 pub fn displacements_of(model: &Model, solved: &Solved, index: usize) -> Vec<Vec<f64>> {
-    let recovered = fields::recover_some(model, solved, &[index], false);
+    let recovered = fields::recover_some(model, solved, &[index]);
     let own = |step: &fields::Recovered| shown::moved(model, &solved.operators, step, index);
     recovered.iter().map(own).collect()
 }
@@ -313,6 +312,7 @@ fn findings(
     findings.extend(seats::findings(model, solved));
     findings.extend(doubts::of_outlines(model, edges, steps));
     findings.extend(stresses::large_strains(model, edges, steps));
+    findings.extend(points::finding(model, steps));
     findings
 }
 

@@ -10,13 +10,13 @@ use crate::grading::Grading;
 use crate::level::Level;
 use crate::models::{Division, Models};
 use crate::motions::Motions;
-use crate::numbers::{Numbers, Table, above_rounding, sum, zipped};
+use crate::numbers::{Numbers, Table, above_rounding, drop_unresolved, sum, zipped};
 use crate::path::{self, Changes, Halved, Left};
 use crate::worst::{Worst, worst, worst_of_step};
 use crate::{division, failure, places, stated, unseen};
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_engine::results::{Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated};
-use stickslip_engine::run::{Progress, RunError, results, run_with};
+use stickslip_engine::run::{Progress, RunError, numbers_with_errors, results, run_with};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -129,6 +129,7 @@ impl Climb<'_> {
         if let Some(last) = levels.last() {
             places::widen(&mut all, &last.numbers);
             above_rounding(&mut all, &last.numbers);
+            drop_unresolved(&mut all, &last.numbers);
         }
         all
     }
@@ -376,7 +377,9 @@ impl Climb<'_> {
             Some(rung) => rung.error = error,
             None => self.record(last, error),
         }
-        let is_met = levels.len() > 1 && worst.is_none_or(|worst| worst.part <= 1.0);
+        let is_met = levels.len() > 1
+            && worst.is_none_or(|worst| worst.part <= 1.0)
+            && !self.is_unresolved(&last.numbers);
         let reached = self.asked.is_some() && is_met;
         if reached {
             Some(LadderEnd::Reached)
@@ -393,6 +396,16 @@ impl Climb<'_> {
         } else {
             self.is_too_large_next(last).then_some(LadderEnd::Memory)
         }
+    }
+
+    /// Whether a largest pressure that is asked for rests on too few nodes.
+    fn is_unresolved(&self, numbers: &Numbers) -> bool {
+        let is_asked = Stated::PeakPressure.bound(self.bounds()).is_some();
+        let edges = numbers.geometries.iter().enumerate();
+        let mut contacts = edges.filter(|(_, edge)| edge.contact);
+        let steps = 0..numbers.steps.len();
+        let is_any = |edge: usize| steps.clone().any(|step| numbers.is_unresolved(step, edge));
+        is_asked && contacts.any(|(edge, _)| is_any(edge))
     }
 
     /// When the budget is spent, on the clock of the scene's host `[s]`.
@@ -412,7 +425,7 @@ impl Climb<'_> {
     /// Whether a model finer than `last` would take more memory than it may.
     fn is_too_large_next(&self, last: &Level) -> bool {
         let memory = self.scene.analysis.memory.unwrap_or(Memory::DEFAULT);
-        !self.models.is_graded() && GROWTH * last.bytes() > memory.bytes()
+        GROWTH * last.bytes() > memory.bytes()
     }
 
     /// The results of the last level, with their errors.
@@ -426,7 +439,8 @@ impl Climb<'_> {
     ) -> Result<Results, RunError> {
         let along = Along::of_division(&numbers(&levels), self.models.spaced());
         let along = along.and(&path.along).and(&geometry.along);
-        let sets = Motions::of_division(&numbers(&levels), self.models.spaced());
+        let sets: Vec<&Motions> = levels.iter().map(|level| &level.numbers.sets).collect();
+        let sets = Motions::of_division(&sets, self.models.spaced().rate());
         let mut sets = sets.and(&path.sets).and(&geometry.sets);
         let Some(last) = levels.pop() else {
             return run_with(self.scene, self.models.solver(), &mut |_| {});
@@ -446,9 +460,14 @@ impl Climb<'_> {
             }
         }
         let worst = worst(&last.numbers, &errors, self.bounds());
-        let missed = self.missed(worst.map(Worst::named), end);
-        let has_limit: Vec<bool> = last.model.sets.iter().map(|own| own.has_limit).collect();
+        let missed = self.missed(worst, end);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
+        let uneven = self.models.uneven(&last.model);
+        let with_errors = numbers_with_errors(&last.model, &found.steps, &uneven);
+        let uneven = uneven
+            .iter()
+            .map(|&body| last.model.bodies[body].name.clone());
+        found.findings.extend(Finding::of_uneven(uneven.collect()));
         found.findings.retain(|finding| !finding.is_within_errors());
         found.findings.extend(unlimited);
         found.findings.extend(missed);
@@ -470,7 +489,7 @@ impl Climb<'_> {
             along,
             last.model.origin,
         );
-        sets.put(&mut found, &has_limit);
+        sets.put(&mut found, &with_errors);
         geometry.explain(&mut found);
         found.ladder = Some(Ladder {
             asked: self.asked,
@@ -481,9 +500,9 @@ impl Climb<'_> {
     }
 
     /// That the accuracy asked for is not reached, where it is not.
-    fn missed(&self, worst: Option<(f64, Stated)>, end: LadderEnd) -> Option<Finding> {
-        let (error, number) = worst?;
-        let is_missed = self.asked.is_some() && end != LadderEnd::Reached;
+    fn missed(&self, worst: Option<Worst>, end: LadderEnd) -> Option<Finding> {
+        let (error, number) = worst?.named();
+        let is_missed = self.asked.is_some() && worst?.part > 1.0 && end != LadderEnd::Reached;
         is_missed.then(|| Finding::AccuracyMissed {
             number: number.describe(),
             error,

@@ -44,6 +44,11 @@ impl Spaced {
     pub(super) fn are_graded(self) -> bool {
         self != Self::Equally
     }
+
+    /// The part that a change should be of the one before.
+    pub(super) fn rate(self) -> f64 {
+        if self.are_graded() { 0.25 } else { 0.5 }
+    }
 }
 
 /// The errors of the last of `levels`; empty where there is one only.
@@ -188,8 +193,7 @@ impl Changes<'_> {
 
     fn size(&self, at: At, stated: Stated) -> Option<f64> {
         let [last, before] = self.changes(at, stated);
-        let rate = if self.nodes.are_graded() { 0.25 } else { 0.5 };
-        Some(last?.max(rate * before.unwrap_or(0.0)))
+        Some(last?.max(self.nodes.rate() * before.unwrap_or(0.0)))
     }
 
     /// By what the changes of `stated` are measured in a step; `None` where that vanishes.

@@ -62,7 +62,7 @@ impl Geometry {
         let difference = difference(deformed, small);
         self.errors = zipped(&difference, &Table::new(), |error, _| Some(FACTOR * error?));
         self.along = Along::between(small, deformed).times(FACTOR);
-        self.sets = Motions::between(small, deformed).times(FACTOR);
+        self.sets = Motions::between(&small.sets, &deformed.sets).times(FACTOR);
     }
 
     /// Why a geometry is chosen, by the largest change that the deformed one makes.

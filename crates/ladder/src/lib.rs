@@ -35,6 +35,7 @@ mod numbers;
 mod path;
 mod peaks;
 mod places;
+mod rates;
 mod stated;
 mod thinning;
 mod unseen;

@@ -1,20 +1,20 @@
 //! Errors of forces, displacements and stiffness of loaded and held sets.
 //!
 //! ```text
-//! size = max(|v_h − v_2h|, |v_2h − v_4h| r),     error = max(size, WIDE · |v| · the largest size of all steps as a part of v)
+//! size = max(|v_h − v_2h|, |v_2h − v_4h| r),     error = max(size, WIDE · s · the largest size of all steps as a part of s)
 //! ```
 //!
-//! r is the part that a change should be of the one before, as in [`division`](super::division). What load path and geometry leave is added.
+//! s is |v|, or a tenth of the largest of the history. r is the part that a change should be of the one before, as in [`division`](super::division). What load path and geometry leave is added.
 
-use super::division::Spaced;
-use super::numbers::Numbers;
-use super::path;
+use super::rates;
 use stickslip_engine::results::{Results, SetMotion, SetNumbers, SetStated};
 
 /// A change may vanish by chance; this part of the largest one of all steps does not.
 const WIDE: f64 = 0.4;
 /// Part of the largest value of a history by which smaller ones are measured.
 const SMALL: f64 = 0.1;
+/// Part of the largest value that rounding may leave.
+const ROUNDING: f64 = 1e-9;
 
 /// Numbers of sets, or their errors, per step and set.
 #[derive(Clone, Default)]
@@ -45,14 +45,6 @@ impl Motions {
         Self(steps.collect())
     }
 
-    /// How far these are from `other`.
-    fn beside(&self, other: &Self) -> Self {
-        self.map(|step, set, stated| {
-            let both = [self, other].map(|own| own.get(step, set, stated));
-            Some((both[0]? - both[1]?).abs())
-        })
-    }
-
     /// These errors and `other` ones, which may be empty.
     pub(super) fn and(&self, other: &Self) -> Self {
         self.map(|step, set, stated| {
@@ -66,12 +58,15 @@ impl Motions {
     }
 
     /// How far those of `one` are from those of `other`.
-    pub(super) fn between(one: &Numbers, other: &Numbers) -> Self {
-        one.sets.beside(&other.sets)
+    pub(super) fn between(one: &Self, other: &Self) -> Self {
+        one.map(|step, set, stated| {
+            let both = [one, other].map(|own| own.get(step, set, stated));
+            Some((both[0]? - both[1]?).abs())
+        })
     }
 
-    /// What the division of the last of `levels` leaves; empty where there is one only.
-    pub(super) fn of_division(levels: &[&Numbers], nodes: Spaced) -> Self {
+    /// What the division of the last of `levels` leaves; empty where there is one only. A change should be the part `rate` of the one before.
+    pub(super) fn of_division(levels: &[&Self], rate: f64) -> Self {
         let [.., coarse, fine] = levels else {
             return Self::default();
         };
@@ -80,34 +75,51 @@ impl Motions {
             [.., coarser, coarse, _] => Self::between(coarse, coarser),
             _ => Self::default(),
         };
-        let rate = if nodes.are_graded() { 0.25 } else { 0.5 };
         let size = last.map(|step, set, stated| {
             let before = before.get(step, set, stated).unwrap_or(0.0);
             Some(last.get(step, set, stated)?.max(rate * before))
         });
-        let steps = 0..fine.sets.0.len();
+        let steps = 0..fine.0.len();
         last.map(|step, set, stated| {
-            let value = |step: usize| fine.sets.get(step, set, stated).map_or(0.0, f64::abs);
+            let value = |step: usize| fine.get(step, set, stated).map_or(0.0, f64::abs);
             let largest = steps.clone().map(value).fold(0.0, f64::max);
-            let parts = steps.clone().filter_map(|step| {
-                Some(size.get(step, set, stated)? / value(step).max(SMALL * largest))
-            });
+            let scale = |step: usize| value(step).max(SMALL * largest);
+            let parts = steps
+                .clone()
+                .filter_map(|step| Some(size.get(step, set, stated)? / scale(step)));
             let wide =
-                WIDE * value(step) * parts.filter(|part| part.is_finite()).fold(0.0, f64::max);
+                WIDE * scale(step) * parts.filter(|part| part.is_finite()).fold(0.0, f64::max);
             Some(size.get(step, set, stated)?.max(wide))
         })
     }
 
-    /// Puts these errors into `found`, those of displacements and stiffness where they have a limit.
-    pub(super) fn put(&self, found: &mut Results, has_limit: &[bool]) {
-        for (step, own) in found.steps.iter_mut().zip(&self.0) {
-            let errors = own.iter().zip(has_limit).map(|(errors, &has_limit)| {
-                SetNumbers::of(|stated| {
-                    let is_known = has_limit || stated == SetStated::Force;
-                    errors.get(stated).filter(|_| is_known)
-                })
-            });
-            step.set_errors = errors.collect();
+    /// Puts these errors into `found`, of every set those that `with_errors` says; none is below what rounding leaves of the largest force of all sets, and of the largest number of its own.
+    pub(super) fn put(&self, found: &mut Results, with_errors: &[[bool; 4]]) {
+        let numbers: Vec<Vec<Option<SetMotion>>> =
+            found.steps.iter().map(|step| step.sets.clone()).collect();
+        let numbers = Self::of(&numbers);
+        let steps = 0..numbers.0.len();
+        let largest = |set: usize, stated: SetStated| {
+            let values = steps
+                .clone()
+                .filter_map(|step| numbers.get(step, set, stated));
+            values.fold(0.0, |most: f64, value| most.max(value.abs()))
+        };
+        let sets = 0..with_errors.len();
+        let force = sets
+            .map(|set| largest(set, SetStated::Force))
+            .fold(0.0, f64::max);
+        let known = self.map(|step, set, stated| {
+            let scale = match stated {
+                SetStated::Force => force,
+                _ => largest(set, stated),
+            };
+            let has_error = with_errors.get(set)?[stated as usize];
+            let error = self.get(step, set, stated).filter(|_| has_error)?;
+            Some(error.max(ROUNDING * scale))
+        });
+        for (step, errors) in found.steps.iter_mut().zip(known.0) {
+            step.set_errors = errors;
         }
     }
 }
@@ -121,7 +133,7 @@ pub(super) struct Halving {
 
 impl Halving {
     /// What the increments of `finer` leave, of which those of the steps `halved` are half as long as in `base`.
-    pub(super) fn halved(&mut self, finer: &Numbers, base: &Numbers, halved: &[bool]) -> Motions {
+    pub(super) fn halved(&mut self, finer: &Motions, base: &Motions, halved: &[bool]) -> Motions {
         let change = Motions::between(finer, base);
         let shows = |step: usize| halved[..=step].contains(&true);
         let left = change.map(|step, set, stated| {
@@ -130,7 +142,7 @@ impl Halving {
                 return left;
             }
             let last = self.last.get(step, set, stated);
-            let own = path::error(change.get(step, set, stated), last)?;
+            let own = rates::error(change.get(step, set, stated), last)?;
             // What a step that is not halved leaves in those after it is as large as before.
             let part = if halved[..=step].contains(&false) {
                 1.0
@@ -148,7 +160,62 @@ impl Halving {
     }
 }
 
-/// What given increments leave, by what [`path::PINNED`] times as many change, those of `finer`.
-pub(super) fn of_pinned(finer: &Numbers, base: &Numbers) -> Motions {
-    Motions::between(finer, base).times(path::of_four())
+/// What given increments leave, by what four times as many change, those of `finer`.
+pub(super) fn of_pinned(finer: &Motions, base: &Motions) -> Motions {
+    Motions::between(finer, base).times(rates::of_four())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Displacements of one set in two steps.
+    fn moved(steps: [f64; 2]) -> Motions {
+        let step = |displacement| {
+            vec![Some(SetMotion {
+                force: 1.0,
+                displacement,
+            })]
+        };
+        Motions::of(&steps.map(step))
+    }
+
+    fn errors(own: &Motions) -> [f64; 2] {
+        [0, 1].map(|step| own.get(step, 0, SetStated::Displacement).unwrap())
+    }
+
+    fn close(found: [f64; 2], wanted: [f64; 2]) {
+        let mut both = found.iter().zip(wanted);
+        assert!(both.all(|(a, b)| (a - b).abs() < 1e-12), "{found:?}");
+    }
+
+    #[test]
+    fn a_step_that_is_not_halved_keeps_its_error() {
+        let mut halving = Halving::default();
+        let [first, second, third] = [[1.0, 2.0], [1.1, 2.2], [1.1, 2.3]].map(moved);
+        // Of one change the slowest rate is taken, of two of them their own.
+        close(
+            errors(&halving.halved(&second, &first, &[true, true])),
+            [0.4, 0.8],
+        );
+        // The second step is halved alone: what the first one leaves in it is as large as before.
+        close(
+            errors(&halving.halved(&third, &second, &[false, true])),
+            [0.4, 0.8],
+        );
+        // Halved together, both errors are at least half of those before.
+        close(
+            errors(&halving.halved(&third, &third, &[true, true])),
+            [0.2, 0.4],
+        );
+    }
+
+    #[test]
+    fn a_change_that_vanishes_by_chance_is_measured_by_other_steps() {
+        let [coarse, fine] = [[1.0, 2.0], [1.0, 2.2]].map(moved);
+        let found = Motions::of_division(&[&coarse, &fine], 0.5);
+        // A part of 0.2/2.2, four tenths of which count in the first step.
+        close(errors(&found), [0.4 * 0.2 / 2.2, 0.2]);
+        assert!(Motions::of_division(&[&fine], 0.5).0.is_empty());
+    }
 }

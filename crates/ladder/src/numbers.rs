@@ -87,6 +87,28 @@ pub(super) fn above_rounding(errors: &mut Table, of: &Numbers) {
     }
 }
 
+/// Takes from `errors` those of largest pressures of the numbers `of` which two divisions of the same few nodes say nothing about.
+pub(super) fn drop_unresolved(errors: &mut Table, of: &Numbers) {
+    for (step, edges) in errors.iter_mut().enumerate() {
+        for (edge, own) in edges.iter_mut().enumerate() {
+            if of.is_unresolved(step, edge) {
+                *own = Errors::of(|stated| {
+                    let is_kept = stated != Stated::PeakPressure;
+                    own.get(stated).filter(|_| is_kept)
+                });
+            }
+        }
+    }
+}
+
+impl Numbers {
+    /// Whether the largest pressure of an edge in a step rests on too few nodes to be known, though it has a limit.
+    pub(super) fn is_unresolved(&self, step: usize, edge: usize) -> bool {
+        let has_limit = !self.missing[step][edge].concern(Stated::PeakPressure);
+        has_limit && self.steps[step][edge].has_sharp_peak(&self.own[step][edge])
+    }
+}
+
 /// The errors of both tables joined; the second one may be empty.
 pub(super) fn zipped(
     one: &Table,

@@ -12,10 +12,9 @@
 use super::along::Along;
 use super::motions::{self, Halving, Motions};
 use super::numbers::{Numbers, Table, difference, sum, zipped};
+use super::rates::{error, of_four};
 use stickslip_engine::results::{EdgeResults, Errors, Stated};
 
-/// The error that increments leave is at most so many times the change that halving them last made.
-const SLOWEST: f64 = 4.0;
 /// Given increments are compared with so many times as many: two times as many may change nothing where contact grows in proportion to the load.
 pub(super) const PINNED: usize = 4;
 
@@ -99,7 +98,7 @@ impl Changes {
             left: Left {
                 numbers,
                 along,
-                sets: self.sets.halved(finer, base, halved),
+                sets: self.sets.halved(&finer.sets, &base.sets, halved),
             },
             own,
             before,
@@ -195,24 +194,8 @@ pub(super) fn of_pinned(finer: &Numbers, base: &Numbers, substeps: &[usize]) -> 
     Left {
         numbers,
         along: along.times(of_four()),
-        sets: motions::of_pinned(finer, base),
+        sets: motions::of_pinned(&finer.sets, &base.sets),
     }
-}
-
-/// The error that given increments leave is at most so many times what [`PINNED`] times as many change.
-pub(super) fn of_four() -> f64 {
-    let rate = SLOWEST / (1.0 + SLOWEST);
-    1.0 / (1.0 - rate * rate)
-}
-
-/// The sum of the geometric series that goes on at the rate of the last two changes, between that of first order and that of [`SLOWEST`].
-pub(super) fn error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
-    let change = change?;
-    let slowest = SLOWEST / (1.0 + SLOWEST);
-    let rate = before.map_or(slowest, |before| (change / before).clamp(0.5, slowest));
-    // Equal numbers have no rate.
-    let rate = if rate.is_finite() { rate } else { slowest };
-    Some(change * rate / (1.0 - rate))
 }
 
 /// What a step leaves of forces stays in the steps that follow it, at least [`KEPT`] of it: their own changes may vanish by chance.

@@ -13,7 +13,7 @@ pub(super) fn peak_at(stated: Stated) -> Option<Stated> {
 }
 
 /// Widens the errors of the places of peaks among `errors` of the numbers `of` to where the errors of those peaks, now with all their parts, reach: a load
-/// path may move the largest stress from one end of slip to another.
+/// path may move the largest stress from one end of slip to another. On a closed edge nothing is farther away than half of it.
 pub(super) fn widen(errors: &mut Table, of: &Numbers) {
     for (step, edges) in errors.iter_mut().enumerate() {
         for (edge, own) in edges.iter_mut().enumerate() {
@@ -21,7 +21,10 @@ pub(super) fn widen(errors: &mut Table, of: &Numbers) {
                 let error = own.get(stated)?;
                 let of_peak = peak_at(stated).and_then(|peak| own.get(peak));
                 let reach = of_peak.map_or(0.0, |peak| reach(of, [step, edge], stated, peak));
-                Some(error.max(reach))
+                let error = error.max(reach);
+                let closed = of.geometries[edge].closed();
+                let half = closed.filter(|_| peak_at(stated).is_some());
+                Some(half.map_or(error, |length| error.min(0.5 * length)))
             });
             *own = widened;
         }

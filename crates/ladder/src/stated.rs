@@ -1,6 +1,6 @@
 //! Stated numbers and their errors, in results.
 
-use stickslip_engine::results::{EdgeGeometry, EdgeResults, Errors, Results, RowErrors, Stated};
+use stickslip_engine::results::{EdgeResults, Results, RowErrors};
 
 use super::numbers::Table;
 
@@ -18,7 +18,6 @@ pub(super) fn put(
             step.edges.iter_mut().zip(fitted).zip(errors)
         {
             fitted.place(geometry, origin);
-            let errors = known(errors, edge, geometry);
             let rows = std::mem::take(&mut edge.rows);
             *edge = EdgeResults {
                 rows,
@@ -32,16 +31,4 @@ pub(super) fn put(
             edge.row_errors = along;
         }
     }
-}
-
-/// `errors` without that of a largest pressure which two divisions of the same few nodes say nothing about.
-fn known(errors: Errors, edge: &EdgeResults, geometry: &EdgeGeometry) -> Errors {
-    if errors.is_empty() || !edge.has_sharp_peak(geometry) {
-        return errors;
-    }
-    Errors::of(|stated| {
-        errors
-            .get(stated)
-            .filter(|_| stated != Stated::PeakPressure)
-    })
 }

@@ -101,6 +101,11 @@ pub enum Finding {
         /// The bodies.
         bodies: Vec<String>,
     },
+    /// Displacements, stiffness and reactions have no error, because finer models of bodies have smaller cells in some places alone.
+    SetsWithoutErrors {
+        /// The bodies.
+        bodies: Vec<String>,
+    },
     /// Displacements under loads hang on points at which elements hold bodies, and have no limit.
     PointDisplacements {
         /// The bodies.
@@ -366,6 +371,11 @@ pub enum JointFinding {
 }
 
 impl Finding {
+    /// [`SetsWithoutErrors`](Self::SetsWithoutErrors) of `bodies`, where there are any.
+    pub fn of_uneven(bodies: Vec<String>) -> Option<Self> {
+        (!bodies.is_empty()).then_some(Self::SetsWithoutErrors { bodies })
+    }
+
     /// Whether it says what stated errors contain.
     pub fn is_within_errors(&self) -> bool {
         match self {

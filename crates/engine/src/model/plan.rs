@@ -263,25 +263,6 @@ impl<'a> Plan<'a> {
         linked
     }
 
-    /// Supports that hold an elastic body of elements at a point.
-    pub(super) fn held_at_points(&self) -> impl Iterator<Item = &Placed<'a, Support>> {
-        self.supports.iter().filter(|support| {
-            let body = &self.bodies[support.body];
-            let is_point = support.edge.is_none() && !body.shape.is_area(&support.of.on.set);
-            is_point && body.elastic.is_some() && body.series.is_none()
-        })
-    }
-
-    /// Forces on a point of an elastic body, with the index of their load case.
-    pub(super) fn loaded_at_points(&self) -> impl Iterator<Item = (usize, &Placed<'a, Load>)> {
-        self.loads.iter().enumerate().filter(|(_, load)| {
-            let body = &self.bodies[load.body];
-            let is_point = matches!(&load.of.kind, LoadKind::Force { on, .. }
-                if load.edge.is_none() && !body.shape.is_area(&on.set));
-            is_point && body.elastic.is_some()
-        })
-    }
-
     /// The fastener of which a body is a slice.
     pub(super) fn fastener_of(&self, body: usize) -> Option<&FastenerPlan<'a>> {
         let mut fasteners = self.fasteners.iter();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use stickslip_scene::schema::{Hold, Load, SetRef, Support};
+use stickslip_scene::schema::{Hold, Load, LoadKind, SetRef, Support};
 
 use super::plan::{ContactPlan, Placed, Plan};
 use crate::results::{ContactFinding, Finding, Quantity};
@@ -47,8 +47,13 @@ fn carried(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<Finding> {
     })
 }
 
-/// Elastic bodies that are held at a point: where another support can take a part of the load, or where loaded sets hang on it.
+/// Elastic bodies that are held at a point, where another support can take a part of the load.
 fn held_at_points(plan: &Plan<'_>) -> Option<Finding> {
+    let at_point = |support: &&Placed<'_, Support>| {
+        let body = &plan.bodies[support.body];
+        let is_point = support.edge.is_none() && !body.shape.is_area(&support.of.on.set);
+        is_point && body.elastic.is_some() && body.series.is_none()
+    };
     let axes = |hold: &Hold| match hold {
         Hold::Axes(axes) => [axes.x, axes.y],
         Hold::Direction(_) => [true; 2],
@@ -63,32 +68,24 @@ fn held_at_points(plan: &Plan<'_>) -> Option<Finding> {
         others.any(|other| beside(other.body, axes(&other.of.hold)))
             || platens.any(|other| beside(other.body, [!other.of.free.x, !other.of.free.y]))
     };
-    let names = |bodies: BTreeSet<usize>| -> Vec<String> {
-        let bodies = bodies.into_iter();
-        bodies
-            .map(|body| plan.bodies[body].name.to_owned())
-            .collect()
-    };
-    let held = plan.held_at_points().filter(shares);
-    let bodies = names(held.map(|support| support.body).collect());
-    if !bodies.is_empty() {
-        return Some(Finding::PointSupports { bodies });
-    }
-    let held: BTreeSet<usize> = plan.held_at_points().map(|own| own.body).collect();
-    let hangs = |load: &&Placed<'_, Load>| {
-        let linked = plan.linked(load.body);
-        held.iter().any(|body| linked.contains(body))
-    };
-    let loads = plan.loads.iter().filter(hangs);
-    let loads: Vec<String> = loads.map(|load| load.of.name.clone()).collect();
-    let bodies = names(held);
-    (!loads.is_empty()).then_some(Finding::PointDisplacements { bodies, loads })
+    let held = plan.supports.iter().filter(at_point).filter(shares);
+    let held: BTreeSet<usize> = held.map(|support| support.body).collect();
+    let bodies: Vec<String> = (held.into_iter())
+        .map(|body| plan.bodies[body].name.to_owned())
+        .collect();
+    (!bodies.is_empty()).then_some(Finding::PointSupports { bodies })
 }
 
 /// Elastic bodies that a force acts on at a point.
 fn loaded_at_points(plan: &Plan<'_>) -> Option<Finding> {
-    let loads = plan.loaded_at_points();
-    let loads: Vec<String> = loads.map(|(_, load)| load.of.name.clone()).collect();
+    let at_point = |load: &&Placed<'_, Load>| {
+        let body = &plan.bodies[load.body];
+        let is_point = matches!(&load.of.kind, LoadKind::Force { on, .. }
+            if load.edge.is_none() && !body.shape.is_area(&on.set));
+        is_point && body.elastic.is_some()
+    };
+    let loads = plan.loads.iter().filter(at_point);
+    let loads: Vec<String> = loads.map(|load| load.of.name.clone()).collect();
     (!loads.is_empty()).then_some(Finding::PointLoads { loads })
 }
 

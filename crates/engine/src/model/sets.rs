@@ -18,8 +18,6 @@ pub struct ModelSet {
     pub set: LoadedSet,
     /// How its numbers are found.
     pub measure: Measure,
-    /// Whether its displacement has a limit with finer cells.
-    pub has_limit: bool,
 }
 
 impl ModelSet {
@@ -105,7 +103,6 @@ pub(super) fn all(
                 force,
                 weights,
             },
-            has_limit: true,
         });
     }
     let context = (plan, bodies, half);
@@ -126,20 +123,7 @@ pub(super) fn all(
         }
     }
     share_nodes(plan, half, &mut sets);
-    limit(plan, &mut sets);
     Ok(sets)
-}
-
-/// Finds the sets whose displacement grows with every finer mesh: they hang on a point that is held, or are one that a force acts on.
-fn limit(plan: &Plan<'_>, sets: &mut [ModelSet]) {
-    let held: Vec<usize> = plan.held_at_points().map(|own| own.body).collect();
-    let loaded: Vec<usize> = plan.loaded_at_points().map(|own| own.0).collect();
-    for own in sets {
-        let linked = plan.linked(own.set.body);
-        let hangs = held.iter().any(|body| linked.contains(body));
-        let is_point = matches!(own.measure, Measure::Load { case, .. } if loaded.contains(&case));
-        own.has_limit = !(hangs || is_point);
-    }
 }
 
 /// Divides the reactions at nodes that several sets hold, or one in several directions, among them: the least forces along the
@@ -261,7 +245,6 @@ fn sprung(
             reach: reach(body, weights.iter().map(|(node, _)| *node)),
         },
         measure: Measure::Springs { weights, stiffness },
-        has_limit: true,
     }))
 }
 
@@ -302,7 +285,6 @@ fn held(
             along,
             displacement,
         },
-        has_limit: true,
     })
 }
 

@@ -93,28 +93,44 @@ pub(super) fn recover(model: &Model, solved: &Solved) -> Vec<Recovered> {
     })
 }
 
-/// Recovers the displacements of the bodies with the indices `wanted` alone, and the reactions on edges in contact, without an audit; also their `sets` if these are asked for.
-pub(super) fn recover_some(
+/// Recovers the displacements of the bodies with the indices `wanted` alone, and the reactions on edges in contact, without an audit.
+pub(super) fn recover_some(model: &Model, solved: &Solved, wanted: &[usize]) -> Vec<Recovered> {
+    let some = Pass {
+        audits: false,
+        sets: false,
+        held: HELD,
+    };
+    some.of(model, solved, &with_held(model, wanted), |_| true)
+}
+
+/// As [`recover_some`], with the sets of all bodies.
+pub(super) fn recover_with_sets(
     model: &Model,
     solved: &Solved,
     wanted: &[usize],
-    sets: bool,
 ) -> Vec<Recovered> {
-    let in_contact = model.edges.iter().filter(|edge| edge.pair.is_some());
-    let held = in_contact.filter(|edge| edge.is_held_on(edge.geometry.body));
-    let mut all: Vec<usize> = wanted
-        .iter()
-        .copied()
-        .chain(held.map(|edge| edge.geometry.body))
-        .collect();
-    all.sort_unstable();
-    all.dedup();
     let some = Pass {
         audits: false,
-        sets,
+        sets: true,
         held: HELD,
     };
-    some.of(model, solved, &all, |_| true)
+    let kept = with_held(model, wanted);
+    let sets = model.sets.iter().map(|own| own.set.body);
+    let mut all: Vec<usize> = kept.iter().copied().chain(sets).collect();
+    all.sort_unstable();
+    all.dedup();
+    some.of(model, solved, &all, |body| kept.contains(&body))
+}
+
+/// The bodies `wanted`, and those whose edges in contact are held.
+fn with_held(model: &Model, wanted: &[usize]) -> Vec<usize> {
+    let in_contact = model.edges.iter().filter(|edge| edge.pair.is_some());
+    let held = in_contact.filter(|edge| edge.is_held_on(edge.geometry.body));
+    let held = held.map(|edge| edge.geometry.body);
+    let mut all: Vec<usize> = wanted.iter().copied().chain(held).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
 }
 
 /// What is recovered beside displacements.

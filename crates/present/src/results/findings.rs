@@ -72,9 +72,12 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             "'{body}' was moved by {} into {hole}, which holds it: its file puts it somewhere else.",
             units.length.show(distance.value())
         ),
-        Finding::PointSupports { bodies } => points::supports(bodies),
-        Finding::PointDisplacements { bodies, loads } => points::displacements(bodies, loads),
-        Finding::PointLoads { loads } => points::loads(loads),
+        Finding::PointSupports { bodies } => points::supports(&quoted(bodies), bodies),
+        Finding::PointDisplacements { bodies, loads } => {
+            points::displacements([&quoted(loads), &quoted(bodies)], bodies)
+        }
+        Finding::SetsWithoutErrors { bodies } => points::without_errors(&quoted(bodies)),
+        Finding::PointLoads { loads } => points::loads(&quoted(loads)),
         Finding::NoLimitAtSupport { edge, steps } => format!(
             "No error is stated for the peak tangential stress along {edge} in {}: it is where a support ends, grows without limit with every \
              finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section.",
@@ -176,7 +179,7 @@ fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
         }
     };
     format!(
-        "The accuracy asked for is not reached: the error of the {number} is {:.2} %, and {why}. All errors are stated.",
+        "The accuracy asked for is not reached: the error of the {number} is {:.2} %, and {why}. Stated errors are those of this model.",
         100.0 * error
     )
 }

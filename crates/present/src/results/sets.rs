@@ -92,16 +92,9 @@ impl<'a> SetView<'a> {
         Some(self.shown(stated, numbers.get(stated)?))
     }
 
-    /// Its error; none of a given one.
     fn error(&self, step: usize, stated: SetStated) -> Option<f64> {
-        let is_given = match stated {
-            SetStated::Force => !self.is_held(),
-            SetStated::Displacement => self.is_held() && self.rests(),
-            SetStated::Secant | SetStated::Tangent => false,
-        };
         let errors = self.results.set_errors(self.index, step);
-        let error = errors.get(stated).filter(|_| !is_given)?;
-        Some(self.shown(stated, error))
+        Some(self.shown(stated, errors.get(stated)?))
     }
 
     /// A number with its error, for a table.

@@ -97,6 +97,11 @@ pub trait Outline: fmt::Debug {
         self.mesh_keys().is_empty()
     }
 
+    /// Whether a finer division makes all of its cells smaller, not those around its holes alone.
+    fn is_divided_evenly(&self) -> bool {
+        true
+    }
+
     /// Whether one length says all of its size, so that its plane compliance is that of any other size.
     fn is_similar(&self) -> bool {
         false

@@ -140,6 +140,10 @@ impl Outline for Profile {
         self.refine.iter().copied().fold(1.0, f64::max)
     }
 
+    fn is_divided_evenly(&self) -> bool {
+        !self.is_round()
+    }
+
     fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
         let kind = self.cells(divided.kind).ok_or(DivisionError::NoCells {
             kind: divided.kind.name(),

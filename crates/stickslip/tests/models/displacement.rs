@@ -187,6 +187,14 @@ fn errors_of_displacements_hold_what_the_other_operator_finds() {
                 assert_eq!((step, stated), (0, SetStated::Tangent));
                 continue;
             };
+            if stated == SetStated::Force {
+                // It is given.
+                assert_eq!(
+                    both.map(|own| own.set_errors(0, step).get(stated)),
+                    [None; 2]
+                );
+                continue;
+            }
             let errors = both.map(|own| own.set_errors(0, step).get(stated).unwrap());
             let is_within = (one - other).abs() <= errors[0] + errors[1] + 1e-9 * one.abs();
             assert!(
@@ -209,8 +217,52 @@ fn what_hangs_on_a_point_has_no_error() {
     let errors = found.set_errors(0, 1);
     assert_eq!(errors.get(SetStated::Displacement), None);
     assert_eq!(errors.get(SetStated::Secant), None);
+    // Nothing shares what the pin's centre takes.
     assert!(found.set_errors(1, 1).get(SetStated::Force).is_some());
+    assert_eq!(found.set_errors(1, 1).get(SetStated::Displacement), None);
+    // A point that takes no force holds nothing that has no limit.
+    let idle = [
+        r#"supports.0={ on = "pin.section", fix = ["x"] }"#,
+        r#"supports.1={ on = "pin.centre", fix = ["y"] }"#,
+        accuracy,
+    ];
+    let idle = solved(&free, &[&idle[..], &ELEMENTS].concat());
+    assert!(!idle.findings.iter().any(hangs));
+    assert!(idle.set_errors(0, 1).get(SetStated::Secant).is_some());
+    // Where others share its load, its force has no limit either.
+    let shares = r#"supports.1={ on = "plate.right", fix = ["x"] }"#;
+    let shared = solved(&free, &[&[accuracy, shares], &ELEMENTS[..]].concat());
+    for set in 0..shared.sets.len() {
+        assert_eq!(
+            shared.set_errors(set, 1).get(SetStated::Force),
+            None,
+            "{set}"
+        );
+    }
+    // Springs at a point are as soft as it is.
+    let springs = r#"supports.0={ on = "pin.centre", fix = ["x", "y"], stiffness = "200 kN/mm" }"#;
+    let sprung = solved(&free, &[&[accuracy, springs], &ELEMENTS[..]].concat());
+    assert!(sprung.findings.iter().any(hangs));
+    assert_eq!(sprung.set_errors(0, 1).get(SetStated::Secant), None);
     let by_series = solved(&free, &[accuracy]);
     assert!(!by_series.findings.iter().any(hangs));
     assert!(by_series.set_errors(0, 1).get(SetStated::Secant).is_some());
+}
+
+/// Finer models of a general outline have smaller cells around its holes alone, which says nothing of how far its edges move.
+#[test]
+fn sets_of_outlines_with_holes_have_no_errors() {
+    let outline = r#"bodies.plate.shape={ outline = { start = ["-60 mm", "-20 mm"], edges = [{ name = "bottom", to = ["20 mm", "-20 mm"] }, { name = "right", to = ["20 mm", "20 mm"] }, { name = "top", to = ["-60 mm", "20 mm"] }, { name = "left" }], holes.hole = { centre = ["0 mm", "0 mm"], radius = "5 mm" } } }"#;
+    let section = r#"supports.0={ on = "pin.section", fix = ["x", "y"] }"#;
+    let accuracy = "analysis.accuracy={ contact_extent = \"5 %\" }";
+    let free = PIN.replace("substeps = 1\n", "");
+    let found = solved(
+        &free,
+        &[&[outline, section, accuracy], &ELEMENTS[..]].concat(),
+    );
+    let errors = (0..found.sets.len()).map(|set| found.set_errors(set, 1));
+    let mut errors = errors.flat_map(|own| SetStated::ALL.map(|stated| own.get(stated)));
+    assert!(errors.all(|error| error.is_none()));
+    let is_said = |own: &Finding| matches!(own, Finding::SetsWithoutErrors { bodies } if bodies[..] == ["plate"]);
+    assert!(found.findings.iter().any(is_said));
 }

@@ -1,31 +1,39 @@
 //! What single points that are held or loaded do to displacements.
 
-use super::quoted;
-
-pub(super) fn supports(bodies: &[String]) -> String {
+/// `quoted` are the bodies `bodies`.
+pub(super) fn supports(quoted: &str, bodies: &[String]) -> String {
     format!(
         "Elastic bodies held at a single point: {}. Other supports share the load, and the displacement of a point grows with every \
          finer mesh, so load shares depend on the mesh. {}",
-        quoted(bodies),
+        quoted,
         remedy(bodies)
     )
 }
 
-pub(super) fn displacements(bodies: &[String], loads: &[String]) -> String {
+/// `quoted` are the loads and the bodies `bodies`.
+pub(super) fn displacements(quoted: [&str; 2], bodies: &[String]) -> String {
     format!(
         "Displacement and stiffness of {} depend on the mesh: they hang on the single point at which elements hold {}, whose displacement grows with \
          every finer mesh. {}",
-        quoted(loads),
-        quoted(bodies),
+        quoted[0],
+        quoted[1],
         remedy(bodies)
     )
 }
 
-pub(super) fn loads(loads: &[String]) -> String {
+/// `quoted` are the bodies.
+pub(super) fn without_errors(quoted: &str) -> String {
     format!(
-        "Forces on a single point: {}. Displacement and stress there grow without limit with every finer mesh, and those that are shown are of this \
-         division. Put the force on an edge, or on the body's section.",
-        quoted(loads)
+        "No error is stated for displacements, stiffness and reactions beside {quoted}: finer models have smaller cells near holes and contact alone, and \
+         what cells far from there change is not known. Compare with a scene whose outer edges are finer (refine)."
+    )
+}
+
+/// `quoted` are the loads.
+pub(super) fn loads(quoted: &str) -> String {
+    format!(
+        "Forces on a single point: {quoted}. Displacement and stress there grow without limit with every finer mesh, and those that are shown are of this \
+         division. Put the force on an edge, or on the body's section."
     )
 }
 
