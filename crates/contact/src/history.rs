@@ -63,7 +63,7 @@ pub struct LoadHistory {
 /// Smallest part of an increment to which cut-back goes.
 const SMALLEST_PART: f64 = 1.0 / 1024.0;
 /// Floating-point operations that failed attempts at a sub-step may cost before it is cut back no further, or twice those of the most
-/// expensive attempt where that is more.
+/// expensive attempt where that is more; and that states of a load step may cost that only nearly meet the conditions.
 const CUTBACK_EFFORT: u64 = 20_000_000_000;
 
 impl LoadHistory {
@@ -316,6 +316,7 @@ impl LoadHistory {
             target,
             record: start.at_its_end(),
             nearly: false,
+            spent: 0,
             sound: 0.0,
         };
         for substep in 0..self.substeps[index] {
@@ -340,6 +341,8 @@ struct StepPath<'a> {
     record: StepRecord,
     /// Whether the last increment ended in a state that only nearly meets the conditions.
     nearly: bool,
+    /// Floating-point operations that such states cost.
+    spent: u64,
     /// Part of the load step that was reached before states that only nearly meet the conditions: which of these are met is a matter of rounding.
     sound: f64,
 }
@@ -353,14 +356,17 @@ impl LoadPath for StepPath<'_> {
     fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<Infallible>, StepFailure> {
         let to = (self.history).multipliers(self.index, self.start, self.target, increment.to);
         // Where shorter increments led nowhere, those are not tried right after.
-        let means = if self.nearly {
-            Means::Last
-        } else {
-            Means::of(increment)
+        let means = match Means::of(increment) {
+            _ if self.nearly => Means::Last,
+            own => own,
         };
+        let means = means.within(self.spent <= CUTBACK_EFFORT);
+        let before = self.record.work.operations;
         let verified = (self.course).advance(&mut self.record, self.solver, means, &to)?;
         self.nearly = means == Means::Last && !verified;
-        if !self.nearly {
+        if self.nearly {
+            self.spent += self.record.work.operations - before;
+        } else {
             self.sound = increment.to;
         }
         let easily = increment.refusals == 0 && increment.steady > 0;

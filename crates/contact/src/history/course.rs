@@ -35,6 +35,14 @@ impl Means {
         }
     }
 
+    /// These means, without states that only come close unless these `may` be taken.
+    pub(super) fn within(self, may: bool) -> Self {
+        match self {
+            Self::Last if !may => Self::All,
+            own => own,
+        }
+    }
+
     fn solve(
         self,
         solver: &dyn InterfaceSolver,
