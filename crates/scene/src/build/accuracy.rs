@@ -38,24 +38,29 @@ impl Builder<'_> {
         }
     }
 
-    /// Refuses a memory that bounds nothing.
+    /// Refuses a memory that bounds nothing, at the key that prescribes the model.
     fn bound_memory(&mut self, format: &SceneFormat) {
-        const KEY: &str = "analysis.memory";
         let Some(memory) = format.analysis.memory else {
             return;
         };
-        let mut bodies = self.bodies.values();
-        let is_pinned = format.mesh.is_some()
-            || format.analysis.contact_nodes.is_some()
-            || bodies.any(|body| body.mesh.is_some() || body.shape.has_own_mesh());
         if memory.bytes() <= 0.0 {
             let allowed = "an amount of memory above 0 GB";
-            self.out_of_range(KEY, &format!("\"{memory}\""), allowed);
-        } else if is_pinned {
-            let message = "memory bounds finer models, and the scene prescribes its own";
-            let remedy = "remove memory, or leave out mesh and contact_nodes";
-            self.conflict(KEY, message, remedy);
+            self.out_of_range("analysis.memory", &format!("\"{memory}\""), allowed);
+            return;
         }
+        let mut bodies = self.bodies.iter();
+        let own = bodies.find(|(_, body)| body.mesh.is_some() || body.shape.has_own_mesh());
+        let key = match own {
+            _ if format.mesh.is_some() => "mesh".to_owned(),
+            _ if format.analysis.contact_nodes.is_some() => "analysis.contact_nodes".to_owned(),
+            Some((name, body)) => {
+                let key = if body.mesh.is_some() { "mesh" } else { "shape" };
+                child(&child("bodies", name), key)
+            }
+            None => return,
+        };
+        let message = format!("analysis.memory bounds finer models, and {key} prescribes this one");
+        self.conflict(&key, message, "remove one of the two");
     }
 
     fn askable(&mut self, key: &str, error: RelativeError) {

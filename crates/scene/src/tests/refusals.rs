@@ -559,8 +559,8 @@ fn accuracies_and_models_that_no_run_can_have() {
         "{message}"
     );
     let (message, help, ..) = analysis("memory = \"8 GB\"");
-    assert!(message.contains("prescribes its own"), "{message}");
-    assert!(help.contains("leave out mesh"), "{help}");
+    assert!(message.contains("mesh prescribes this one"), "{message}");
+    assert!(help.contains("one of the two"), "{help}");
     let (message, ..) = analysis("contact_nodes = 3");
     assert!(message.contains("contact_nodes"), "{message}");
 }
