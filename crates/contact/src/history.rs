@@ -343,7 +343,7 @@ struct StepPath<'a> {
     nearly: bool,
     /// Floating-point operations that such states cost.
     spent: u64,
-    /// Part of the load step that was reached before states that only nearly meet the conditions: which of these are met is a matter of rounding.
+    /// Part of the load step that the last state reached that meets the conditions: which states nearly do is a matter of rounding.
     sound: f64,
 }
 
@@ -356,9 +356,10 @@ impl LoadPath for StepPath<'_> {
     fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<Infallible>, StepFailure> {
         let to = (self.history).multipliers(self.index, self.start, self.target, increment.to);
         // Where shorter increments led nowhere, those are not tried right after.
-        let means = match Means::of(increment) {
-            _ if self.nearly => Means::Last,
-            own => own,
+        let means = if self.nearly {
+            Means::Last
+        } else {
+            Means::of(increment)
         };
         let means = means.within(self.spent <= CUTBACK_EFFORT);
         let before = self.record.work.operations;

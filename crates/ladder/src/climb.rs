@@ -193,11 +193,10 @@ impl Climb<'_> {
         self.record(&small, None);
         self.seat(&mut small, progress);
         if !is_auto || small.model.pairs.is_empty() {
-            let touches = !small.model.pairs.is_empty();
-            let left_out = touches.then(|| Geometry::not_asked(self.scene)).flatten();
-            let geometry = Geometry {
-                left_out,
-                ..Geometry::default()
+            let geometry = if small.model.pairs.is_empty() {
+                Geometry::default()
+            } else {
+                Geometry::given(self.scene)
             };
             return Ok((small, geometry));
         }
@@ -464,10 +463,11 @@ impl Climb<'_> {
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         let uneven = self.models.uneven(&last.model);
         let with_errors = numbers_with_errors(&last.model, &found.steps, &uneven);
-        let uneven = uneven
-            .iter()
-            .map(|&body| last.model.bodies[body].name.clone());
-        found.findings.extend(Finding::of_uneven(uneven.collect()));
+        let bodies: Vec<String> = (uneven.iter())
+            .map(|&body| last.model.bodies[body].name.clone())
+            .collect();
+        let has_uneven = !bodies.is_empty();
+        (found.findings).extend(has_uneven.then_some(Finding::SetsWithoutErrors { bodies }));
         found.findings.retain(|finding| !finding.is_within_errors());
         found.findings.extend(unlimited);
         found.findings.extend(missed);

@@ -44,17 +44,21 @@ impl Geometry {
         }
     }
 
-    /// Why no error contains what deformed gaps would change, where `scene` leaves that to the program and is not modelled with them.
-    pub(super) fn not_asked(scene: &Scene) -> Option<String> {
-        if scene.analysis.kinematics.is_some() || scene.kinematics() != KinematicsChoice::Small {
-            return None;
+    /// The geometry that is not the program's choice: errors leave out what deformed gaps would change where `scene` does not say so itself.
+    pub(super) fn given(scene: &Scene) -> Self {
+        let is_said = scene.analysis.kinematics.is_some();
+        if is_said || scene.kinematics() != KinematicsChoice::Small {
+            return Self::default();
         }
         let why = if scene.fasteners.is_empty() {
-            "analysis.kinematics is \"small\" where a mesh is given; say \"auto\" or \"deformed-gaps\", or \"small\" to leave them out"
+            "analysis.kinematics is \"small\" where a mesh is given; say \"auto\" for errors that contain it, or \"small\" to leave it out"
         } else {
-            "with fasteners contact is found on the undeformed geometry; say analysis.kinematics = \"small\" to leave them out"
+            "with fasteners contact is found on the undeformed geometry; say analysis.kinematics = \"small\" to leave it out"
         };
-        Some(why.into())
+        Self {
+            left_out: Some(why.into()),
+            ..Self::default()
+        }
     }
 
     /// What deformed gaps may change, by the difference that they make on one model.

@@ -371,11 +371,6 @@ pub enum JointFinding {
 }
 
 impl Finding {
-    /// [`SetsWithoutErrors`](Self::SetsWithoutErrors) of `bodies`, where there are any.
-    pub fn of_uneven(bodies: Vec<String>) -> Option<Self> {
-        (!bodies.is_empty()).then_some(Self::SetsWithoutErrors { bodies })
-    }
-
     /// Whether it says what stated errors contain.
     pub fn is_within_errors(&self) -> bool {
         match self {

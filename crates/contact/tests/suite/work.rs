@@ -3,7 +3,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{DMatrix, DVector};
-use stickslip_contact::solver::{FailureCause, Step, StepFailure, StepSolution, Work};
+use stickslip_contact::solver::{
+    FailureCause, Residuals, Step, StepFailure, StepSolution, Unresolved, Work,
+};
 use stickslip_contact::{
     Chain, ContactError, ContactState, InterfaceProblem, InterfaceSolver, LoadHistory, Pivoting,
     Ramp, SemismoothNewton,
@@ -142,4 +144,48 @@ fn cut_back_ends_with_its_work_or_at_its_smallest_part() {
             .map(|[operations, limit]| ("cut-back", FailureCause::Effort { operations, limit }));
         assert_eq!(cause.attempts.get(1), expected.as_ref(), "{cause}");
     }
+}
+
+/// Ends near a solution every time, at the cost of so many operations.
+#[derive(Debug)]
+struct Near {
+    operations: u64,
+}
+
+impl InterfaceSolver for Near {
+    fn name(&self) -> &'static str {
+        "near"
+    }
+
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        let solution = SemismoothNewton::default().solve(step)?;
+        let work = Work {
+            operations: self.operations,
+            ..Work::default()
+        };
+        let failure = StepFailure::new(self.name(), FailureCause::Limit(1), work);
+        Err(failure.with_best(Some(Box::new(Unresolved {
+            solver: self.name(),
+            trial: solution.trial,
+            residuals: Residuals {
+                cone: 1e-6,
+                ..solution.residuals
+            },
+        }))))
+    }
+}
+
+/// States that only come close may cost as much in a load step as refusals may, and where they end, the step has reached nothing.
+#[test]
+fn states_that_come_close_end_with_their_work() {
+    let problem = pressed(false);
+    let history = LoadHistory::new(vec![vec![1.0]], 16, Ramp::Linear).unwrap();
+    let follow = |operations| history.follow(&problem, &Near { operations }, |_| {});
+    let found = follow(1_000_000).unwrap();
+    assert!(!found[0].verified && found[0].state.multipliers == [1.0]);
+    let failed = follow(6_000_000_000).unwrap_err();
+    assert!(
+        matches!(failed, ContactError::StepFailed { reached: 0.0, .. }),
+        "{failed}"
+    );
 }

@@ -178,7 +178,7 @@ impl Pass {
                 }
             }
             if let Some(body) = solved.operators.get(index).and_then(Operator::series) {
-                self.recover_series(model, solved, (index, body), &mut all);
+                self.recover_series(model, solved, (index, body), keeps(index), &mut all);
             }
             let Some(body) = solved.operators.get(index).and_then(Operator::elastic) else {
                 continue;
@@ -251,10 +251,13 @@ impl Pass {
         steps: &mut [Recovered],
     ) -> Vec<Vec<f64>> {
         let residuals = body.residual_forces_of(displacements, states);
-        let balances = body.balances_of(&residuals, displacements, states);
-        let found = residuals.iter().zip(displacements);
-        for ((step, balance), (residual, u)) in steps.iter_mut().zip(balances).zip(found) {
-            step.balance[index] = self.audits.then_some(balance);
+        if self.audits {
+            let balances = body.balances_of(&residuals, displacements, states);
+            for (step, balance) in steps.iter_mut().zip(balances) {
+                step.balance[index] = Some(balance);
+            }
+        }
+        for (step, (residual, u)) in steps.iter_mut().zip(residuals.iter().zip(displacements)) {
             let mut reactions = residual.clone();
             let springs = body.body().spring_forces(u);
             let both = reactions.iter_mut().zip(springs);
@@ -264,12 +267,13 @@ impl Pass {
         residuals
     }
 
-    /// Recovers of a body by series what no field needs: its balance, and its stresses where they are asked about.
+    /// Recovers of a body by series what no field needs: its balance, and its stresses where they are asked about and kept.
     fn recover_series(
         self,
         model: &Model,
         solved: &Solved,
         (index, body): (usize, &SeriesBody),
+        keeps: bool,
         all: &mut [Recovered],
     ) {
         for (record, step) in solved.records.iter().zip(all) {
@@ -283,7 +287,8 @@ impl Pass {
                 let own = (index, body, step.motions[index].as_slice());
                 sets::of_series(model, own, (record, &forces), &mut step.sets);
             }
-            if model.is_asked_for_stresses(index)
+            if keeps
+                && model.is_asked_for_stresses(index)
                 && let Some(own) = model.bodies[index].elastic()
             {
                 step.stress[index] = body.stresses(record, &forces, own.mesh().nodes());

@@ -220,6 +220,10 @@ fn what_hangs_on_a_point_has_no_error() {
     // Nothing shares what the pin's centre takes.
     assert!(found.set_errors(1, 1).get(SetStated::Force).is_some());
     assert_eq!(found.set_errors(1, 1).get(SetStated::Displacement), None);
+    // A reaction that balances to rounding is within its error.
+    let aside = found.set_numbers(2, 1).get(SetStated::Force).unwrap();
+    let error = found.set_errors(2, 1).get(SetStated::Force).unwrap();
+    assert!(error > 1e-7 && aside.abs() <= error, "{aside:e} {error:e}");
     // A point that takes no force holds nothing that has no limit.
     let idle = [
         r#"supports.0={ on = "pin.section", fix = ["x"] }"#,

@@ -1,5 +1,7 @@
 //! Numbers that are stated with an error, and the accuracies that bound them.
 
+use std::f64::consts::PI;
+
 use stickslip::results::{EdgeRow, Finding, LadderEnd, Results, Stated};
 
 use super::series::PIN;
@@ -211,6 +213,24 @@ fn the_place_of_the_peak_reaches_over_all_nodes_that_may_be_it() {
                 let is_lower = value(row) < most - error;
                 assert!(is_lower || away <= reach + 1e-9, "{stated:?} {other} {at}");
             }
+        }
+    }
+}
+
+/// Nothing on a circle is farther away than half of it, whatever increments change where hardly a load is left.
+#[test]
+fn places_on_a_circle_are_off_by_half_of_it_at_most() {
+    let text = PIN.replace("substeps = 1\n", "");
+    let changes = [
+        "analysis.accuracy=\"5 %\"",
+        "analysis.model=whole",
+        "loads.0.force.steps=[\"1 kN\", \"0.001 N\"]",
+    ];
+    let results = solved(&text, &changes);
+    for edge in results.steps.iter().map(|step| &step.edges[0]) {
+        for stated in [Stated::PeakPressurePlace, Stated::PeakHoopPlace] {
+            let error = edge.errors.get(stated);
+            assert!(error.is_some_and(|error| error <= PI), "{error:?}");
         }
     }
 }

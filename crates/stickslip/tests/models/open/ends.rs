@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use stickslip::results::{ContactFinding, Finding, Results, Stated};
+use stickslip::results::{ContactFinding, Finding, LadderEnd, Results, Stated};
 use tempfile::TempDir;
 
 use super::{PUNCH, close, edge, stacked};
@@ -74,6 +74,12 @@ fn a_peak_on_few_nodes_is_reported() {
     let error = |results: &Results| edge(results, 0).errors.get(Stated::PeakPressure);
     assert_eq!(error(&coarse), None);
     assert!(error(&fine).is_some());
+    // What is not known is not reached, whatever the errors of other numbers.
+    let end = |results: &Results| results.ladder.as_ref().unwrap().end;
+    let hardly = "analysis.accuracy=50 %";
+    let text = PUNCH.replace("refine = 160", "refine = 10");
+    assert_eq!(end(&crate::solved(&text, &[hardly])), LadderEnd::Pinned);
+    assert_eq!(end(&crate::solved(PUNCH, &[hardly])), LadderEnd::Reached);
 }
 
 #[test]
