@@ -147,16 +147,16 @@ impl<'a> Models<'a> {
         self.division == Division::Series
     }
 
-    /// Indices of the bodies of `model` of which finer models have smaller cells in some places alone: where nodes are graded, and around holes of general outlines.
+    /// Indices of the bodies of `model` of which finer models have smaller cells in some places alone: where nodes are graded.
     pub(super) fn uneven(&self, model: &Model) -> Vec<usize> {
-        let is_uneven = |&body: &usize| {
+        let is_meshed = |&body: &usize| {
             let own = &model.bodies[body];
-            let shape = self.scene.bodies.get(&own.name).map(|body| &body.shape);
-            let is_even = shape.is_some_and(|shape| shape.is_divided_evenly());
-            let is_meshed = own.elastic().is_some() && own.series.is_none();
-            is_meshed && (self.is_graded() || !is_even)
+            own.elastic().is_some() && own.series.is_none()
         };
-        (0..model.bodies.len()).filter(is_uneven).collect()
+        let bodies = 0..model.bodies.len();
+        bodies
+            .filter(|body| self.is_graded() && is_meshed(body))
+            .collect()
     }
 
     /// How nodes are spaced.

@@ -14,6 +14,9 @@ pub struct Division {
     pub spacing: Option<f64>,
     /// Growth of the cell size per unit of distance `[1]`, above 0 and at most 1.
     pub growth: f64,
+    /// By how many times all sizes that neither `spacing` nor holes give, and `growth`, are smaller than usual `[1]`: with holes and `spacing`
+    /// twice as fine, 2 halves every cell.
+    pub fineness: f64,
     /// By how many times cells on pieces of the outline, counted from 0, and then of the cut-outs are smaller than the largest `[1]`.
     pub refined: BTreeMap<usize, f64>,
     /// Places `[length]` where edges meet, whose nodes are sets by these names.
@@ -29,6 +32,7 @@ impl Default for Division {
             kind: ElementKind::T6,
             spacing: None,
             growth: 0.25,
+            fineness: 1.0,
             refined: BTreeMap::new(),
             points: BTreeMap::new(),
             centre: [0.0; 2],

@@ -217,10 +217,10 @@ pub enum ContourError {
         /// The kind asked for.
         kind: ElementKind,
     },
-    /// A growth of the cell size that gives no good cells.
+    /// A growth of the cell size over the fineness that gives no good cells.
     #[error("the growth of the cell size must be above 0 and at most 1, not {value}")]
     Growth {
-        /// The growth asked for.
+        /// The growth asked for over the fineness.
         value: f64,
     },
     /// Cells on a piece that is not there, or that would be larger than elsewhere.

@@ -152,7 +152,8 @@ fn check_division(division: &Division, names: &[String]) -> Result<(), ContourEr
     if !matches!(kind, ElementKind::T3 | ElementKind::T6) {
         return Err(ContourError::Kind { kind });
     }
-    let value = division.growth;
+    positive("fineness", division.fineness)?;
+    let value = division.growth / division.fineness;
     if !(value > 0.0 && value <= 1.0) {
         return Err(ContourError::Growth { value });
     }
@@ -163,13 +164,7 @@ fn check_division(division: &Division, names: &[String]) -> Result<(), ContourEr
         });
     }
     if let Some(value) = division.spacing {
-        let what = "spacing".to_owned();
-        if !value.is_finite() {
-            return Err(ContourError::NotFinite { what, value });
-        }
-        if value <= 0.0 {
-            return Err(ContourError::NotPositive { what, value });
-        }
+        positive("spacing", value)?;
     }
     let mut refined = division.refined.iter();
     if let Some((&piece, &times)) = refined
@@ -180,6 +175,17 @@ fn check_division(division: &Division, names: &[String]) -> Result<(), ContourEr
             times,
             count: names.len(),
         });
+    }
+    Ok(())
+}
+
+fn positive(what: &str, value: f64) -> Result<(), ContourError> {
+    let what = what.to_owned();
+    if !value.is_finite() {
+        return Err(ContourError::NotFinite { what, value });
+    }
+    if value <= 0.0 {
+        return Err(ContourError::NotPositive { what, value });
     }
     Ok(())
 }

@@ -63,30 +63,35 @@ impl Size {
     ) -> Self {
         let [low, high] = outline.bounds;
         let narrow = (high[0] - low[0]).min(high[1] - low[1]);
-        let cap = division.spacing.unwrap_or(narrow / ACROSS_BODY);
+        let fineness = division.fineness;
+        let usual = narrow / (fineness * ACROSS_BODY);
+        let cap = division.spacing.unwrap_or(usual);
         let tracks = outline.numbers.iter().zip(&outline.tracks);
         let tracks = tracks
             .map(|(piece, track)| {
                 let arc = track.radius().map(|radius| ARC_STEP * radius);
-                let fine = division.refined.get(piece).map(|times| cap / times);
-                let sizes = [arc, fine].into_iter().flatten();
-                (track.clone(), sizes.fold(track.length(), f64::min))
+                let own = arc.map_or(track.length(), |arc| arc.min(track.length()));
+                let refined = division.refined.get(piece).map(|times| cap / times);
+                let sizes = [Some(own / fineness), refined].into_iter().flatten();
+                (track.clone(), sizes.fold(f64::INFINITY, f64::min))
             })
             .filter(|&(_, size)| size < cap)
             .collect();
-        let mut clusters: Vec<Cluster> = rings
-            .iter()
-            .map(|ring| Cluster::new(around(ring)))
-            .collect();
         let corners = (0..outline.tracks.len()).flat_map(|k| corner(outline, k));
-        clusters.extend(corners.filter(|c| c.least < cap));
-        clusters.extend(outline.tracks.iter().filter_map(|track| bends(track, cap)));
-        clusters.extend(gaps(holes, outline, rings));
-        clusters.extend(walls(outline, cap));
+        let bends = outline.tracks.iter().filter_map(bends);
+        let drawn = corners.chain(bends).chain([walls(outline)]).map(|own| {
+            let sizes = own.into_iter().map(|(at, size)| (at, size / fineness));
+            sizes.filter(|&(_, size)| size < cap).collect()
+        });
+        let given = rings.iter().map(around);
+        let given = given.chain(gaps(holes, outline, rings, fineness));
+        let sources: Vec<Vec<(Point, f64)>> = drawn.chain(given).collect();
         Self {
             cap,
-            growth: division.growth,
-            clusters,
+            growth: division.growth / fineness,
+            clusters: (sources.into_iter().filter(|own| !own.is_empty()))
+                .map(Cluster::new)
+                .collect(),
             tracks,
         }
     }
@@ -148,7 +153,7 @@ fn around(ring: &Ring) -> Vec<(Point, f64)> {
 }
 
 /// The sources of the corner where piece `k` begins.
-fn corner(outline: &Outline, k: usize) -> Vec<Cluster> {
+fn corner(outline: &Outline, k: usize) -> Vec<Vec<(Point, f64)>> {
     let (before, after) = (&outline.tracks[outline.before(k)], &outline.tracks[k]);
     let angle = outline.angle(k);
     let at = after.from;
@@ -161,21 +166,24 @@ fn corner(outline: &Outline, k: usize) -> Vec<Cluster> {
     let others = others.filter(|&(other, _)| other != k && other != outline.before(k));
     let necks = others.map(|(_, track)| track.distance(at) / ACROSS_NECK);
     sources.push((at, necks.fold(f64::INFINITY, f64::min)));
-    sources.into_iter().map(|s| Cluster::new(vec![s])).collect()
+    sources.into_iter().map(|source| vec![source]).collect()
 }
 
-/// Sources along a spline where its curvature asks for them.
-fn bends(track: &Track, cap: f64) -> Option<Cluster> {
+/// Sources along a spline, by its curvature.
+fn bends(track: &Track) -> Option<Vec<(Point, f64)>> {
     let radii = track.run()?.radii();
-    let sizes = radii.map(|(at, radius)| (at, ARC_STEP * radius));
-    let points: Vec<(Point, f64)> = sizes.filter(|&(_, size)| size < cap).collect();
-    (!points.is_empty()).then(|| Cluster::new(points))
+    Some(radii.map(|(at, radius)| (at, ARC_STEP * radius)).collect())
 }
 
-/// Sources in the gaps between holes and what is nearest to them.
-fn gaps(holes: &[Hole], outline: &Outline, rings: &[Ring]) -> Vec<Cluster> {
-    let mut clusters = Vec::new();
-    for (k, ring) in rings.iter().enumerate() {
+/// Sources in the gaps between each hole and what is nearest to it, with cells so many times smaller than usual.
+fn gaps(
+    holes: &[Hole],
+    outline: &Outline,
+    rings: &[Ring],
+    fineness: f64,
+) -> impl Iterator<Item = Vec<(Point, f64)>> {
+    let across = fineness * ACROSS_GAP;
+    rings.iter().enumerate().map(move |(k, ring)| {
         let hole_nodes = &ring.rows[0];
         let count = hole_nodes.len();
         let points = (0..count).filter_map(|n| {
@@ -191,19 +199,15 @@ fn gaps(holes: &[Hole], outline: &Outline, rings: &[Ring]) -> Vec<Cluster> {
             });
             let (at, width) = pieces.chain(holes).min_by(|a, b| a.1.total_cmp(&b.1))?;
             // Edges on the hole are given: cells much smaller than them beside them are flat.
-            let size = (width / ACROSS_GAP).max(chord / 2.0);
-            (width < 2.0 * ACROSS_GAP * chord).then_some((at, size))
+            let size = (width / across).max(chord / 2.0);
+            (width < 2.0 * across * chord).then_some((at, size))
         });
-        let points: Vec<(Point, f64)> = points.collect();
-        if !points.is_empty() {
-            clusters.push(Cluster::new(points));
-        }
-    }
-    clusters
+        points.collect()
+    })
 }
 
 /// Sources between each cut-out and the nearest piece of the outline or of another one.
-fn walls(outline: &Outline, cap: f64) -> Option<Cluster> {
+fn walls(outline: &Outline) -> Vec<(Point, f64)> {
     let mut points = Vec::new();
     for (own, pieces) in outline.loops.iter().enumerate().skip(1) {
         let others = (0..outline.tracks.len()).filter(|&other| outline.loop_of(other) != own);
@@ -218,6 +222,5 @@ fn walls(outline: &Outline, cap: f64) -> Option<Cluster> {
             }
         }
     }
-    points.retain(|&(_, size)| size < cap);
-    (!points.is_empty()).then(|| Cluster::new(points))
+    points
 }

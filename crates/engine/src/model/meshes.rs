@@ -104,6 +104,7 @@ fn meshing(
         fine_to: grading.and_then(|grading| grading.fine_to),
         places,
         layers: body.mesh.layers,
+        fineness: body.mesh.fineness,
         most_layers,
         extent: if half { Extent::Half } else { Extent::Whole },
         centre: body.centre,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use stickslip_fem_core::generate::{Generate, GenerateError};
+use stickslip_fem_core::generate::{Extent, Generate, GenerateError, uniform_angles};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_mesher::{ContourError, ContourMesh, Division};
 
@@ -59,6 +59,40 @@ fn the_limit_reported_is_the_one_given() {
             panic!("{error}");
         };
         assert!(given == limit && nodes > limit, "{nodes} {given}");
+    }
+}
+
+/// Twice as many nodes on holes, half the spacing and twice the fineness halve every cell.
+#[test]
+fn twice_the_fineness_halves_every_cell() {
+    for (name, contour) in all() {
+        let count = |times: usize| {
+            let mut contour = contour.clone();
+            for hole in &mut contour.holes {
+                hole.angles = uniform_angles(Extent::Whole, times * hole.angles.len());
+            }
+            let division = Division {
+                fineness: times as f64,
+                ..Division::default()
+            };
+            let mesh = ContourMesh { contour, division }.generate();
+            mesh.expect("a mesh").element_count() as f64
+        };
+        let ratio = count(4) / count(2);
+        assert!((3.2..4.5).contains(&ratio), "{name}: {ratio}");
+    }
+}
+
+#[test]
+fn fineness_is_positive_and_keeps_the_growth() {
+    for fineness in [0.0, -1.0, f64::NAN, f64::INFINITY, 0.2] {
+        let division = Division {
+            fineness,
+            ..Division::default()
+        };
+        let contour = strip();
+        let refusal = ContourMesh { contour, division }.estimate().err();
+        assert!(refusal.is_some(), "{fineness}");
     }
 }
 

@@ -15,6 +15,8 @@ pub struct MeshSettings {
     pub division: Division,
     /// Radial layers, or layers in depth; chosen from the division where it is `None`.
     pub layers: Option<usize>,
+    /// By how many times cells of a general outline that no division of edges rules are smaller than usual `[1]`.
+    pub fineness: f64,
 }
 
 impl MeshSettings {
@@ -25,11 +27,13 @@ impl MeshSettings {
             element,
             division,
             layers,
+            fineness,
         } = self;
         Self {
             element: *element,
             division: division.finer(),
             layers: layers.map(|layers| 2 * layers),
+            fineness: 2.0 * fineness,
         }
     }
 
@@ -40,11 +44,13 @@ impl MeshSettings {
             element,
             division,
             layers,
+            fineness,
         } = self;
         Self {
             element: *element,
             division: division.coarser(),
             layers: layers.map(|layers| layers.div_ceil(2)),
+            fineness: fineness / 2.0,
         }
     }
 }

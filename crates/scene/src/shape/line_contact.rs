@@ -8,7 +8,8 @@ use super::outline::{Divided, DivisionError, Meshing, Outline, Role};
 
 /// The keys that divide a cap and its surface.
 pub(super) const MESH_KEYS: &[&str] = &["spacing", "fine_to"];
-/// Growth of cells from one to the next.
+/// Growth of cells from one to the next, in every division: half of it changes the approach of Q8 bodies by 7e-5, a fifth of what other causes
+/// leave in the finest ladders, and costs eight times as much.
 const GROWTH: f64 = 1.12;
 /// Half of the fine zone where the scene does not say, as a part of the half length.
 const FINE_PART: f64 = 1.0 / 8.0;

@@ -97,11 +97,6 @@ pub trait Outline: fmt::Debug {
         self.mesh_keys().is_empty()
     }
 
-    /// Whether a finer division makes all of its cells smaller, not those around its holes alone.
-    fn is_divided_evenly(&self) -> bool {
-        true
-    }
-
     /// Whether one length says all of its size, so that its plane compliance is that of any other size.
     fn is_similar(&self) -> bool {
         false
@@ -372,6 +367,8 @@ pub struct Divided<'a> {
     pub places: Option<&'a [f64]>,
     /// Layers between a hole and what surrounds it, where the scene gives them.
     pub layers: Option<usize>,
+    /// By how many times cells of a general outline that no division of edges rules are smaller than usual `[1]`.
+    pub fineness: f64,
     /// Most layers of a round shape, and rows below given places, where the scene gives none.
     pub most_layers: usize,
     /// Half or whole.

@@ -140,10 +140,6 @@ impl Outline for Profile {
         self.refine.iter().copied().fold(1.0, f64::max)
     }
 
-    fn is_divided_evenly(&self) -> bool {
-        !self.is_round()
-    }
-
     fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
         let kind = self.cells(divided.kind).ok_or(DivisionError::NoCells {
             kind: divided.kind.name(),
@@ -162,6 +158,7 @@ impl Outline for Profile {
         let division = stickslip_mesher::Division {
             kind,
             spacing: divided.spacing,
+            fineness: divided.fineness,
             refined: self.refine.iter().copied().enumerate().collect(),
             points: (self.points.iter())
                 .map(|(name, at)| (name.clone(), [at[0] - start[0], at[1] - start[1]]))

@@ -101,6 +101,7 @@ fn divided<T>(shape: &Shape, extent: Extent, then: impl Fn(&Divided<'_>) -> T) -
         fine_to: None,
         places: None,
         layers: None,
+        fineness: 1.0,
         most_layers: usize::MAX,
         extent,
         centre: [0.0; 2],

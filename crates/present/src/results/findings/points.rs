@@ -24,8 +24,8 @@ pub(super) fn displacements(quoted: [&str; 2], bodies: &[String]) -> String {
 /// `quoted` are the bodies.
 pub(super) fn without_errors(quoted: &str) -> String {
     format!(
-        "No error is stated for displacements, stiffness and reactions beside {quoted}: finer models have smaller cells near holes and contact alone, and \
-         what cells far from there change is not known. Compare with a scene whose outer edges are finer (refine)."
+        "No error is stated for displacements, stiffness and reactions beside {quoted}: finer models have smaller cells near contact alone, and what cells \
+         far from there change is not known. Compare with a scene that has a finer mesh."
     )
 }
 
