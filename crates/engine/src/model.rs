@@ -16,6 +16,7 @@ mod loads;
 mod meshes;
 mod plan;
 mod polar_table;
+mod problem;
 mod remarks;
 mod request;
 mod resultant;
@@ -34,7 +35,7 @@ use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_friction::Mirror;
 
-use crate::results::{Choice, Finding};
+use crate::results::{Choice, Finding, Problem};
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
 use stickslip_scene::placement;
@@ -90,6 +91,8 @@ pub struct Model {
     pub edges: Vec<ModelEdge>,
     /// Sets that loads act on, and those that are held.
     pub sets: Vec<ModelSet>,
+    /// What acts where, for whoever shows it.
+    pub problem: Problem,
     /// Load multipliers per step.
     pub history: LoadHistory,
     /// Whether one half of a symmetric scene is modelled.
@@ -168,6 +171,7 @@ impl Model {
             fasteners: fasteners::build(&plan),
             edges: contacts.edges,
             sets: sets::all(&plan, &bodies, half)?,
+            problem: problem::of(&plan, &meshes),
             history: loads::history(&plan)?,
             half,
             choices,

@@ -215,6 +215,7 @@ fn reported(
         source: request.source.clone(),
         scene_hash: request.scene_hash.clone(),
         scene: request.scene.clone(),
+        problem: model.problem.clone(),
         meshes: request.meshes,
         units: request.units,
         choices,

@@ -1,6 +1,6 @@
 //! From the coordinates of a model to those of its scene.
 
-use super::{BodyFailure, EdgeGeometry, EdgeKind, EdgeResults, FailurePoint, FirstPly, Results};
+use super::{BodyFailure, EdgeGeometry, EdgeKind, FailurePoint, FirstPly, Results};
 
 impl Results {
     /// Moves all places by `by` `[mm]`; what friction laws are given stands in its scene already, and meshes of bodies are left where they are.
@@ -42,44 +42,6 @@ impl Results {
                 }
                 EdgeKind::Path => {}
             }
-        }
-    }
-}
-
-impl EdgeResults {
-    /// Moves places by `by` `[mm]`, on the edge `geometry`.
-    pub fn place(&mut self, geometry: &EdgeGeometry, [by, _]: [f64; 2]) {
-        if geometry.kind != EdgeKind::Line {
-            return;
-        }
-        // Every field is named, so that a new one is either moved here or said to be no place.
-        let Self {
-            rows: _,
-            zones,
-            contact_half_extent: _,
-            bearing,
-            stick_half_extent: _,
-            slip_lengths: _,
-            peak_pressure,
-            peak_hoop,
-            peak_hoop_uncertainty: _,
-            hoop_at_bearing_point: _,
-            resultant: _,
-            friction_force: _,
-            normal_force: _,
-            friction_work: _,
-            errors: _,
-            row_errors: _,
-        } = self;
-        for (_, at) in [peak_pressure, peak_hoop].into_iter().flatten() {
-            *at += by;
-        }
-        for zone in zones {
-            zone.start += by;
-            zone.end += by;
-        }
-        if let Some(at) = bearing {
-            *at += by;
         }
     }
 }

@@ -3,8 +3,6 @@
 use serde::Serialize;
 use stickslip_scene::schema::{Accuracy, RelativeError};
 
-use super::{EdgeGeometry, EdgeResults, StepResults};
-
 /// A number of an edge at the end of a load step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stated {
@@ -85,27 +83,6 @@ impl Stated {
             _ => None,
         };
         error.map(RelativeError::share)
-    }
-
-    /// The number in `edge`, in base units.
-    pub fn value(self, edge: &EdgeResults) -> Option<f64> {
-        match self {
-            Self::ContactExtent => edge.contact_half_extent,
-            Self::StickExtent => edge.stick_half_extent,
-            Self::Bearing => edge.bearing,
-            Self::PeakPressure => edge.peak_pressure.map(|peak| peak.0),
-            Self::PeakPressurePlace => edge.peak_pressure.map(|peak| peak.1),
-            Self::PeakHoop => edge.peak_hoop.map(|peak| peak.0),
-            Self::PeakHoopPlace => edge.peak_hoop.map(|peak| peak.1),
-            Self::HoopAtBearing => edge.hoop_at_bearing_point,
-            Self::FrictionForce => Some(edge.friction_force),
-            Self::NormalForce => Some(edge.normal_force),
-            Self::ResultantX => Some(edge.resultant[0]),
-            Self::ResultantY => Some(edge.resultant[1]),
-            Self::SlipAway => edge.slip_lengths.map(|lengths| lengths[0]),
-            Self::SlipTowards => edge.slip_lengths.map(|lengths| lengths[1]),
-            Self::FrictionWork => Some(edge.friction_work),
-        }
     }
 
     /// Whether it is that of a node, and so known to half of their spacing at best.
@@ -190,24 +167,6 @@ pub struct RowErrors {
     pub shear: f64,
     /// Of σ_θ or σ_xx.
     pub sigma_tangential: f64,
-}
-
-impl EdgeResults {
-    /// Estimated error of the magnitude of the resultant `[N]`, that of its components together.
-    pub fn resultant_error(&self) -> Option<f64> {
-        let [x, y] = [Stated::ResultantX, Stated::ResultantY].map(|stated| self.errors.get(stated));
-        Some(x?.hypot(y?))
-    }
-}
-
-impl StepResults {
-    /// Estimated error of [`dissipation`](Self::dissipation): the sum of those of all contacts; `None` where one has none.
-    pub fn dissipation_error(&self, edges: &[EdgeGeometry]) -> Option<f64> {
-        let contacts = edges.iter().zip(&self.edges).filter(|own| own.0.contact);
-        contacts
-            .map(|(_, edge)| edge.errors.get(Stated::FrictionWork))
-            .sum()
-    }
 }
 
 /// A model that was tried on the way to an accuracy.

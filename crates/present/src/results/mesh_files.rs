@@ -1,9 +1,7 @@
 //! The meshes of bodies for other programs: `meshes/BODY.msh` of Gmsh and `meshes/BODY.inp` of Abaqus and CalculiX, in the unit of lengths of
 //! the results, with edges and points as sets.
 
-use stickslip_fem_core::material::PlaneState;
 use stickslip_mesh_files::{write_inp, write_msh};
-use toml::Value;
 
 use super::names::FileNames;
 use super::vtk_files::in_display_units;
@@ -19,7 +17,6 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Option<FileNote>), 
     if !results.meshes {
         return Ok((files, None));
     }
-    let state = plane_state(results);
     let mut names = FileNames::default();
     for body in &results.bodies {
         let stem = names.unique(&body.name);
@@ -41,7 +38,7 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Option<FileNote>), 
         );
         files.push((format!("meshes/{stem}.msh"), gmsh.into_bytes()));
         // Cells with nodes inside exist in Gmsh only.
-        if let Ok(abaqus) = write_inp(&shown, state) {
+        if let Ok(abaqus) = write_inp(&shown, results.problem.plane) {
             let text = format!("** coordinates in {unit}\n{abaqus}");
             files.push((format!("meshes/{stem}.inp"), text.into_bytes()));
         }
@@ -54,15 +51,4 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Option<FileNote>), 
         ),
     );
     Ok((files, Some(note)))
-}
-
-fn plane_state(results: &Results) -> PlaneState {
-    let scene: Option<Value> = toml::from_str(&results.scene).ok();
-    let plane = scene
-        .as_ref()
-        .and_then(|scene| scene.get("analysis")?.get("plane")?.as_str());
-    match plane {
-        Some("strain") => PlaneState::Strain,
-        _ => PlaneState::Stress,
-    }
 }

@@ -51,7 +51,7 @@ fn draw(scene: &Scene, model: &Model, path: &Path) -> Result<(), CommandError> {
     };
     let bodies: Result<Vec<SketchBody>, ModelError> = model.bodies.iter().map(body).collect();
     let bodies = bodies.map_err(|cause| refused(cause.to_string()))?;
-    let picture = sketch(&bodies, scene.resolved(), scene.display);
+    let picture = sketch(&scene.title, &bodies, &model.problem, scene.display);
     let picture = picture.map_err(|cause| refused(cause.to_string()))?;
     let picture = picture.ok_or_else(|| refused("no body of the scene has a mesh".to_owned()))?;
     let extension = path

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use stickslip::results::{
     BearingSource, BodyFields, BodySummary, Choice, ContactFrame, EdgeGeometry, EdgeKind,
-    EdgeResults, EdgeRow, Finding, LoadValue, Results, StepNotes, StepResults,
+    EdgeResults, EdgeRow, Finding, LoadValue, Problem, Results, StepNotes, StepResults,
 };
 use stickslip::scene::schema::DisplayUnits;
 use stickslip::units::{Dimension, Unit};
@@ -36,6 +36,7 @@ pub(crate) fn results() -> Results {
         source: "plate.toml".into(),
         scene_hash: "0123abcd".into(),
         scene: "version = 1\n".into(),
+        problem: Problem::default(),
         meshes: false,
         units: units("in", "lbf", "psi"),
         choices: vec![Choice {

@@ -9,11 +9,10 @@ use stickslip_report::FigureError;
 use stickslip_report::color::Color;
 use stickslip_report::plane::{Marks, PlanePlot};
 use stickslip_report::svg::Svg;
-use toml::Value;
 
-use self::walk::{ahead, along, arrow, beside, inwards, keep_apart, vector};
+use self::walk::{ahead, along, arrow, beside, inwards, keep_apart};
 use super::{Group, Plan};
-use stickslip_engine::results::Results;
+use stickslip_engine::results::{Acting, Problem, Results, Site, SitePart};
 use stickslip_scene::schema::DisplayUnits;
 
 /// Margin around the bodies, and length of an arrow, as parts of the larger size of all.
@@ -58,7 +57,7 @@ pub(super) fn all(results: &Results) -> Vec<Plan<'_>> {
         .map(|body| (body.name.clone(), body.mesh.clone()))
         .collect();
     let draw = move || {
-        let picture = sketch(&bodies, &results.scene, results.units)?;
+        let picture = sketch(&results.title, &bodies, &results.problem, results.units)?;
         let half = results.edges.iter().any(|edge| edge.half);
         let part = if half {
             " Half of the scene is modelled, and its mirror image is left out."
@@ -73,42 +72,35 @@ pub(super) fn all(results: &Results) -> Vec<Plan<'_>> {
     vec![Plan::new(Group::Problem, "sketch".into(), draw)]
 }
 
-/// Draws `bodies` with the contacts, supports and loads of the resolved scene `scene`; `None` where no body has a mesh.
+/// Draws `bodies`, in the order of their indices, with the contacts, supports and loads of `problem`; `None` where no body has a mesh.
 ///
 /// # Errors
 /// [`FigureError`] for a picture that cannot be drawn.
 pub fn sketch(
+    title: &str,
     bodies: &[SketchBody],
-    scene: &str,
+    problem: &Problem,
     units: DisplayUnits,
 ) -> Result<Option<Svg>, FigureError> {
-    let scene: toml::Table = toml::from_str(scene).unwrap_or_default();
     let own = Sketch {
         bodies,
-        scene: &scene,
+        problem,
         units,
     };
     let Some(window) = own.window() else {
         return Ok(None);
     };
     let size = (window[1] - window[0]).max(window[3] - window[2]);
-    let title = scene
-        .get("title")
-        .and_then(Value::as_str)
-        .unwrap_or("Scene");
     let mut plot = PlanePlot::new(title, units.length.name, window);
     plot.width = WIDTH;
     let mut kinds = KINDS.map(|(label, color)| Marks::new(label, color));
     let [contacts, held, loads, springs, platens] = &mut kinds;
-    contacts.paths = own.contacts();
-    let gives = |support: &Value| {
-        ["stiffness", "bed"]
-            .iter()
-            .any(|key| support.get(key).is_some())
-    };
-    held.points = own.held("supports", |support| !gives(support));
-    springs.points = own.held("supports", gives);
-    platens.points = own.held("platens", |_| true);
+    contacts.paths = (problem.contacts.iter())
+        .filter_map(|side| own.walk(side))
+        .collect();
+    held.points = own.marks(&problem.held);
+    springs.points = own.marks(&problem.springs);
+    platens.points = own.marks(&problem.platens);
     loads.paths = own.loads(ARROW * size);
     let per_pixel = (window[1] - window[0]) / WIDTH;
     let crosses = [&*held, &*springs, &*platens];
@@ -128,7 +120,7 @@ pub fn sketch(
 
 struct Sketch<'a> {
     bodies: &'a [SketchBody],
-    scene: &'a toml::Table,
+    problem: &'a Problem,
     units: DisplayUnits,
 }
 
@@ -159,20 +151,20 @@ impl Sketch<'_> {
         ])
     }
 
-    /// The nodes of an edge in walk order, the body on the left; of a point or another set its nodes.
-    fn places(&self, on: &str) -> Option<(Vec<Point>, bool)> {
-        let (name, set) = on.split_once('.')?;
-        let (_, mesh) = self.meshes().find(|(own, _)| *own == name)?;
+    fn mesh(&self, site: &Site) -> Option<&Mesh> {
+        self.bodies.get(site.body)?.1.as_deref()
+    }
+
+    fn places(&self, mesh: &Mesh, nodes: &[usize]) -> Vec<Point> {
         let at = |&node: &usize| self.shown(mesh.nodes()[node]);
-        match mesh.edge_path(set) {
-            Ok(path) => {
-                let mut places: Vec<Point> = path.nodes.iter().map(at).collect();
-                if let (true, Some(&first)) = (path.closed, places.first()) {
-                    places.push(first);
-                }
-                Some((places, true))
-            }
-            Err(_) => Some((mesh.node_set(set).ok()?.iter().map(at).collect(), false)),
+        nodes.iter().map(at).collect()
+    }
+
+    /// The walk along the edge that a site is.
+    fn walk(&self, site: &Site) -> Option<Vec<Point>> {
+        match &site.part {
+            SitePart::Edge(nodes) => Some(self.places(self.mesh(site)?, nodes)),
+            SitePart::Points(_) | SitePart::Area => None,
         }
     }
 
@@ -186,9 +178,13 @@ impl Sketch<'_> {
             let label = if many { "bodies" } else { name };
             let mut own = Marks::new(label, BODIES[if many { 0 } else { k }]);
             for set in mesh.edge_set_names() {
-                let Some((places, _)) = self.places(&format!("{name}.{set}")) else {
-                    continue;
+                let (nodes, closed) = match (mesh.edge_path(set), mesh.node_set(set)) {
+                    (Ok(path), _) => (path.nodes, path.closed),
+                    (Err(_), Ok(nodes)) => (nodes.to_vec(), false),
+                    (Err(_), Err(_)) => continue,
                 };
+                let mut places = self.places(mesh, &nodes);
+                places.extend(places.first().copied().filter(|_| closed));
                 if is_named {
                     own.texts.extend(beside(&places, set, per_pixel));
                 }
@@ -209,17 +205,8 @@ impl Sketch<'_> {
 
     /// The borders of all cells, where the scene gives a mesh and there are not too many.
     fn cells(&self) -> Vec<Vec<Point>> {
-        let bodies = self.scene.get("bodies").and_then(Value::as_table);
-        let mut bodies = bodies.into_iter().flatten();
-        let is_given = self.scene.contains_key("mesh")
-            || bodies.any(|(_, body)| {
-                body.get("mesh").is_some()
-                    || body
-                        .get("shape")
-                        .is_some_and(|shape| shape.get("mesh").is_some())
-            });
         let count: usize = self.meshes().map(|(_, mesh)| mesh.element_count()).sum();
-        if !is_given || count > MOST_CELLS {
+        if !self.problem.is_divided || count > MOST_CELLS {
             return Vec::new();
         }
         let of_mesh = |(_, mesh): (&str, &Mesh)| {
@@ -237,70 +224,51 @@ impl Sketch<'_> {
         self.meshes().flat_map(of_mesh).collect()
     }
 
-    fn list(&self, key: &str) -> impl Iterator<Item = &Value> {
-        let list = self.scene.get(key).and_then(Value::as_array);
-        list.into_iter().flatten()
-    }
-
-    fn contacts(&self) -> Vec<Vec<Point>> {
-        let sides = |contact: &Value| {
-            let side = |key| Some(self.places(contact.get(key)?.as_str()?)?.0);
-            ["first", "second"].map(side)
-        };
-        let sides = self.list("contacts").flat_map(sides);
-        sides.flatten().collect()
-    }
-
-    /// Places along edges and points that the entries `chosen` of a list hold; an area is marked at its middle.
-    fn held(&self, list: &str, chosen: impl Fn(&Value) -> bool) -> Vec<Point> {
-        let of_support = |support: &Value| {
-            let on = support.get("on")?.as_str()?;
-            Some(match self.places(on) {
-                Some((places, true)) => along(&places, HELD_MARKS),
-                Some((places, false)) => places,
-                None => vec![self.middle(on)?],
+    /// Places along edges and points; an area is marked at its middle.
+    fn marks(&self, sites: &[Site]) -> Vec<Point> {
+        let of_site = |site: &Site| {
+            Some(match &site.part {
+                SitePart::Edge(_) => along(&self.walk(site)?, HELD_MARKS),
+                SitePart::Points(nodes) => self.places(self.mesh(site)?, nodes),
+                SitePart::Area => vec![self.middle(site)?],
             })
         };
-        let all = self.list(list).filter(|own| chosen(own));
-        all.filter_map(of_support).flatten().collect()
+        sites.iter().filter_map(of_site).flatten().collect()
     }
 
-    /// Middle of the body whose area `on` names.
-    fn middle(&self, on: &str) -> Option<Point> {
-        let (name, _) = on.split_once('.')?;
-        let (_, mesh) = self.meshes().find(|(own, _)| *own == name)?;
-        let [low, high] = mesh.bounding_box();
+    /// Middle of the body of a site.
+    fn middle(&self, site: &Site) -> Option<Point> {
+        let [low, high] = self.mesh(site)?.bounding_box();
         Some(self.shown([0, 1].map(|axis| 0.5 * (low[axis] + high[axis]))))
     }
 
     /// An arrow for each force and pressure.
     fn loads(&self, length: f64) -> Vec<Vec<Point>> {
-        let of_load = |load: &Value| {
-            let on = load.get("on")?.as_str()?;
-            let (places, is_edge) = self.places(on).unwrap_or_default();
-            let at = if is_edge {
-                along(&places, 3).get(1).copied()
-            } else {
-                places.first().copied()
+        let of_load = |Acting { site, direction }: &Acting| {
+            let walk = self.walk(site);
+            let at = match (&walk, &site.part) {
+                (Some(walk), _) => along(walk, 3).get(1).copied(),
+                (None, SitePart::Points(nodes)) => {
+                    self.places(self.mesh(site)?, nodes).first().copied()
+                }
+                (None, SitePart::Edge(_) | SitePart::Area) => None,
             };
-            let at = at.or_else(|| self.middle(on))?;
-            let kinds = ["force", "bearing"];
-            let given = kinds
-                .iter()
-                .find_map(|kind| load.get(kind)?.get("direction"));
-            let direction = match given {
-                Some(given) => vector(given)?,
-                None if load.get("pressure").is_some() && is_edge => inwards(&places)?,
-                None => return None,
-            };
+            let at = at.or_else(|| self.middle(site))?;
             // A pressure ends on its edge, a force begins there.
-            let start = if given.is_some() {
-                at
-            } else {
-                ahead(at, direction, -length)
+            let (direction, start) = match direction {
+                Some(direction) => (*direction, at),
+                None => {
+                    let inwards = inwards(&walk?)?;
+                    (inwards, ahead(at, inwards, -length))
+                }
             };
             Some(arrow(start, direction, length))
         };
-        self.list("loads").filter_map(of_load).flatten().collect()
+        self.problem
+            .loads
+            .iter()
+            .filter_map(of_load)
+            .flatten()
+            .collect()
     }
 }

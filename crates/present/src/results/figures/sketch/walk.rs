@@ -1,7 +1,6 @@
 //! Walks along edges: places on them, names beside them, and arrows.
 
 use stickslip_fem_core::mesh::Point;
-use toml::Value;
 
 /// Width of a letter, and distance of names from their edges `[px]`.
 const LETTER: f64 = 7.0;
@@ -98,19 +97,6 @@ pub(super) fn along(walk: &[Point], count: usize) -> Vec<Point> {
         return walk.to_vec();
     }
     (0..count).map(place).collect()
-}
-
-/// The unit vector of two numbers.
-pub(super) fn vector(given: &Value) -> Option<Point> {
-    let number = |value: &Value| {
-        value
-            .as_float()
-            .or(value.as_integer().map(|whole| whole as f64))
-    };
-    let [x, y] = given.as_array()?.as_slice() else {
-        return None;
-    };
-    unit([number(x)?, number(y)?])
 }
 
 fn unit([x, y]: Point) -> Option<Point> {
