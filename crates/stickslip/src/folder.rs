@@ -63,7 +63,7 @@ pub struct ResultFolder {
     staging: PathBuf,
     overwrite: Overwrite,
     stage: Arc<Mutex<Stage>>,
-    remarks: Vec<String>,
+    put_back: bool,
     /// Says that the hidden folder is in use; `None` where the system has no locks.
     _held: Option<File>,
 }
@@ -131,7 +131,7 @@ impl ResultFolder {
         // As the path was given, so that the message has its words.
         no_file_in_the_way(path)?;
         let target = resolved(path)?;
-        let remarks = hidden::clear(&target)?;
+        let put_back = hidden::clear(&target)?;
         check_target(&target, overwrite)?;
         if let Some(parent) = target.parent() {
             fs::create_dir_all(parent).map_err(|cause| unwritable(parent, cause))?;
@@ -142,7 +142,7 @@ impl ResultFolder {
             staging,
             overwrite,
             stage: Arc::new(Mutex::new(Stage::Filling)),
-            remarks,
+            put_back,
             _held: held,
         };
         let probe = folder.staging.join(".probe");
@@ -156,9 +156,9 @@ impl ResultFolder {
         &self.target
     }
 
-    /// What was put right of an earlier process that was killed, to be reported; empty as a rule.
-    pub fn remarks(&self) -> &[String] {
-        &self.remarks
+    /// Whether old results are back in their place, because an earlier replacement of them was killed.
+    pub fn puts_back(&self) -> bool {
+        self.put_back
     }
 
     /// A way to give the results up from another thread.

@@ -39,8 +39,11 @@ pub(super) fn prepare(
         (true, Owner::Experiment) => Overwrite::Force(|summary| found(summary, Owner::Experiment)),
     };
     let folder = guarded(console, || ResultFolder::create(path, overwrite))?;
-    for remark in folder.remarks() {
-        console.note(remark);
+    if folder.puts_back() {
+        console.note(&format!(
+            "an earlier replacement of '{}' was killed; the old results are back in their place",
+            path.display()
+        ));
     }
     Ok(folder)
 }

@@ -259,9 +259,9 @@ fn keep(
     account: &Account,
 ) -> Result<Value, JointError> {
     files.write(TABLE, &table::text(sweep, rows)?)?;
-    let (drawings, remarks) = draw(sweep, rows);
+    let (drawings, not_shown) = draw(sweep, rows);
     write_pictures(&drawings, files)?;
-    let report = page(sweep, rows, &drawings, &remarks, account)?.render()?;
+    let report = page(sweep, rows, &drawings, &not_shown, account)?.render()?;
     files.write("report.html", report.as_bytes())?;
     let summary = summary(sweep, rows, account);
     files.write(MARKER, format!("{summary:#}\n").as_bytes())?;

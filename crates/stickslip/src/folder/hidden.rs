@@ -92,20 +92,17 @@ pub(super) fn keep(path: &Path, target: &Path) -> PathBuf {
 }
 
 /// Deletes what dead processes left for `target`, and puts old results back where a replacement was killed half-way.
-/// Says what it did of that; what cannot be deleted stays.
-pub(super) fn clear(target: &Path) -> Result<Vec<String>, FolderError> {
-    let mut remarks = Vec::new();
+/// Whether it did that; what cannot be deleted stays.
+pub(super) fn clear(target: &Path) -> Result<bool, FolderError> {
+    let mut put_back = false;
     for path in leftovers(target, "old")? {
         let Ok(Use::Mine(_held)) = lock(&path) else {
             continue;
         };
         if exists(target) {
             remove(&path);
-        } else if fs::rename(&path, target).is_ok() {
-            remarks.push(format!(
-                "an earlier replacement of '{}' was killed; the old results are back in their place",
-                target.display()
-            ));
+        } else {
+            put_back |= fs::rename(&path, target).is_ok();
         }
     }
     for path in leftovers(target, "partial")? {
@@ -113,7 +110,7 @@ pub(super) fn clear(target: &Path) -> Result<Vec<String>, FolderError> {
             remove(&path);
         }
     }
-    Ok(remarks)
+    Ok(put_back)
 }
 
 /// Hidden entries beside `target` that this program named, in the order of their names.

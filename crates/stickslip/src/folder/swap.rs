@@ -108,12 +108,7 @@ mod tests {
         folder_with(&target, "old");
         fs::rename(&target, hidden::sibling(&target, "old").unwrap()).unwrap();
         folder_with(&hidden::sibling(&target, "partial").unwrap(), "new");
-        let remarks = hidden::clear(&target).unwrap();
-        assert_eq!(remarks.len(), 1, "{remarks:?}");
-        assert!(
-            remarks[0].contains("the old results are back"),
-            "{remarks:?}"
-        );
+        assert!(hidden::clear(&target).unwrap());
         assert_eq!(fs::read(target.join("file")).unwrap(), b"old");
         assert_eq!(fs::read_dir(home.path()).unwrap().count(), 1);
     }

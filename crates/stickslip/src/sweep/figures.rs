@@ -3,6 +3,7 @@
 //! A sweep of more than two axes has one picture for every combination of the others, up to a dozen.
 
 mod curves;
+mod not_shown;
 
 use stickslip_report::FigureError;
 use stickslip_report::axis::Axis as FigureAxis;
@@ -19,6 +20,8 @@ use super::verdict::ORDER;
 use stickslip_engine::results::JointMode;
 use stickslip_text::short;
 
+pub use not_shown::NotShown;
+
 /// Most combinations of further axes that are drawn.
 const MOST_PICTURES: usize = 12;
 
@@ -33,15 +36,15 @@ pub struct Drawing {
     pub caption: String,
 }
 
-/// All pictures of a sweep, and remarks on those that could not be drawn or are left out.
-pub fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Drawing>, Vec<String>) {
+/// All pictures of a sweep, and what they do not show.
+pub fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Drawing>, Vec<NotShown>) {
     let (mut drawings, mut remarks) = (Vec::new(), Vec::new());
     let slices = slices(sweep);
     if slices.len() > MOST_PICTURES {
-        remarks.push(format!(
-            "Pictures show the first {MOST_PICTURES} of {} combinations of the further axes; the table has all.",
-            slices.len()
-        ));
+        remarks.push(NotShown::Combinations {
+            shown: MOST_PICTURES,
+            all: slices.len(),
+        });
     }
     for (index, slice) in slices.iter().take(MOST_PICTURES).enumerate() {
         let number = if slices.len() > 1 {
@@ -61,7 +64,10 @@ pub fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Drawing>, Vec<String>) {
                     picture,
                     caption,
                 }),
-                Some(Err(cause)) => remarks.push(format!("{what}{}: {cause}", view.conditions())),
+                Some(Err(cause)) => {
+                    let picture = format!("{what}{}", view.conditions());
+                    remarks.push(NotShown::Failed { picture, cause });
+                }
                 None => {}
             }
         }

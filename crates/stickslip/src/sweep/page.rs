@@ -7,7 +7,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::axis::Axis;
 use super::engine::Effort;
-use super::figures::Drawing;
+use super::figures::{Drawing, NotShown};
 use super::row::{Measures, Outcome, Row};
 use super::verdict::ORDER;
 use super::{Sweep, minima, verdict, warning};
@@ -30,7 +30,7 @@ pub struct Account {
     pub effort: Effort,
 }
 
-/// The page of `rows`, with its pictures and remarks on those that are missing.
+/// The page of `rows`, with its pictures and what they do not show.
 ///
 /// # Errors
 /// [`PageError::Template`] for notes that cannot be put together.
@@ -38,7 +38,7 @@ pub fn page(
     sweep: &Sweep,
     rows: &[Row],
     drawings: &[Drawing],
-    remarks: &[String],
+    not_shown: &[NotShown],
     account: &Account,
 ) -> Result<Page, PageError> {
     let subtitle = format!("{} · {} cases", sweep.source_name, sweep.cases());
@@ -51,7 +51,8 @@ pub fn page(
         ));
     }
     page.warnings.extend(warning(rows));
-    page.warnings.extend_from_slice(remarks);
+    page.warnings
+        .extend(not_shown.iter().map(NotShown::to_string));
     page.summary = summary(rows, account);
     page.notes.extend(sweep.description.clone());
     page.notes.extend(notes(sweep).paragraphs()?);

@@ -7,6 +7,7 @@ use stickslip_report::chart::{LineChart, Series, SeriesStyle};
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
+use super::not_shown::NotShown;
 use crate::sweep::Sweep;
 use crate::sweep::row::{Measures, Row};
 
@@ -93,8 +94,8 @@ fn ratio(part: f64, whole: f64, errors: [Option<f64>; 2]) -> Option<[f64; 2]> {
     (whole > 0.0).then_some([ratio, error])
 }
 
-/// All charts of a sweep without failure criteria, and remarks on those that could not be drawn or have fewer curves.
-pub(super) fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Named>, Vec<String>) {
+/// All charts of a sweep without failure criteria, and what they do not show.
+pub(super) fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Named>, Vec<NotShown>) {
     let (mut drawings, mut remarks) = (Vec::new(), Vec::new());
     if sweep.scene.failure.is_some() {
         return (drawings, remarks);
@@ -105,11 +106,11 @@ pub(super) fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Named>, Vec<String>) {
         };
         let lines = lines(sweep, index);
         if lines.len() > MOST_CURVES {
-            remarks.push(format!(
-                "Charts over {} show the first {MOST_CURVES} of {} combinations of the other axes; the table has all.",
-                axis.symbol(),
-                lines.len()
-            ));
+            remarks.push(NotShown::Curves {
+                axis: axis.symbol().to_owned(),
+                shown: MOST_CURVES,
+                all: lines.len(),
+            });
         }
         let view = View {
             sweep,
@@ -124,8 +125,8 @@ pub(super) fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Named>, Vec<String>) {
                     drawings.push((name, drawn));
                 }
                 Some(Err(cause)) => {
-                    let (title, symbol) = (quantity.title, axis.symbol());
-                    remarks.push(format!("{title} over {symbol}: {cause}"));
+                    let picture = format!("{} over {}", quantity.title, axis.symbol());
+                    remarks.push(NotShown::Failed { picture, cause });
                 }
                 None => {}
             }
