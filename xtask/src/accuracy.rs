@@ -8,9 +8,11 @@ mod along;
 mod clock;
 mod draw;
 mod failure;
+mod numbers;
 mod outlines;
 mod tally;
 
+use numbers::{At, Compared, Number};
 use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
@@ -164,27 +166,6 @@ fn progress(compared: &Result<Compared, String>, family: &'static str, asked: f6
     format!("{reached}, {held} of {decided} decided numbers within\n{misses}")
 }
 
-/// What the answer to a draw says, beside a finer one.
-struct Compared {
-    numbers: Vec<Number>,
-    is_reached: bool,
-    /// Whether peak pressure and stress lie within what was asked.
-    is_met: bool,
-    nodes: usize,
-    increments: usize,
-}
-
-/// A number that is stated with an error.
-struct Number {
-    name: &'static str,
-    step: usize,
-    unloading: bool,
-    /// The number and what it should be.
-    values: [f64; 2],
-    /// The errors of both, where both are stated.
-    errors: Option<[f64; 2]>,
-}
-
 /// Solves `draw` to the accuracy `asked` and finer.
 fn compare(draw: &Draw, asked: f64) -> Result<Compared, String> {
     let accuracy = format!("analysis.accuracy={asked}");
@@ -248,13 +229,6 @@ fn truth(draw: &Draw, increments: usize) -> Result<Results, String> {
     }
     finer.extend(draw.finest.iter().map(String::as_str));
     solved(&draw.text, &finer)
-}
-
-/// A load step.
-#[derive(Clone, Copy)]
-struct At {
-    step: usize,
-    unloading: bool,
 }
 
 impl Compared {

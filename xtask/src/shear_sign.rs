@@ -7,12 +7,14 @@
 
 mod beneath;
 pub(crate) mod curve;
+mod data;
 mod plies;
 pub(crate) mod signs;
 
+use data::{begun, crossings, loads, of_report};
 use toml::Table;
 
-use crate::study::record::{list, text};
+use crate::study::record::text;
 use crate::study::{Study, TaskError, solved_side_by_side};
 
 pub(crate) const STUDY: Study = Study {
@@ -27,38 +29,4 @@ fn rows(case: &Table) -> Result<Vec<Table>, TaskError> {
         "plies" => plies::rows(case),
         _ => signs::rows(case),
     }
-}
-
-/// Load at the end of each step `[lbf]`.
-fn loads(case: &Table) -> Vec<f64> {
-    let texts = list(case, "loads").iter().filter_map(|load| load.as_str());
-    texts
-        .filter_map(|text| text.split(' ').next()?.parse().ok())
-        .collect()
-}
-
-/// The case as the beginning of a row, without what only the scene needs.
-fn begun(case: &Table) -> Table {
-    let mut row = case.clone();
-    for key in ["set", "loads"] {
-        row.remove(key);
-    }
-    row
-}
-
-/// The report's angle of |θ|, and back `[degree]`.
-fn of_report(angle: f64) -> f64 {
-    90.0 - angle
-}
-
-/// Places where the curve through `rows` of angle and shear passes zero.
-fn crossings(rows: &[[f64; 2]]) -> Vec<f64> {
-    let pairs = rows
-        .windows(2)
-        .filter(|pair| pair[0][1].signum() != pair[1][1].signum());
-    let place = |pair: &[[f64; 2]]| {
-        let part = pair[0][1] / (pair[0][1] - pair[1][1]);
-        pair[0][0] + part * (pair[1][0] - pair[0][0])
-    };
-    pairs.map(place).collect()
 }

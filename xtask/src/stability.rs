@@ -7,6 +7,7 @@
 
 mod atlas;
 mod clearance;
+mod context;
 mod friction;
 mod history;
 mod joint;
@@ -25,12 +26,8 @@ mod stiffness;
 use std::path::PathBuf;
 
 use clap::Args;
-use indicatif::ProgressBar;
-use rayon::prelude::*;
-use stickslip_fem_core::mesh::ElementKind;
-use stickslip_report::svg::Svg;
-use toml::Table;
 
+use context::{Context, Found};
 use outcome::Outcome;
 use row::Row;
 
@@ -80,75 +77,6 @@ const STUDIES: [Study; 9] = [
 ];
 /// The only one in which a body is pulled off.
 const SEPARATION: &str = "04-separation";
-
-/// Elements whose answers are compared.
-const ELEMENTS: [ElementKind; 5] = {
-    use ElementKind::{Q4, Q8, Q9, T3, T6};
-    [T3, Q4, T6, Q8, Q9]
-};
-
-/// How much is computed, and where progress is shown.
-struct Context {
-    quick: bool,
-    progress: ProgressBar,
-}
-
-impl Context {
-    /// `quick` or `full`, whichever is asked for.
-    fn sized<T>(&self, quick: T, full: T) -> T {
-        if self.quick { quick } else { full }
-    }
-
-    /// The rows of each of `values`, computed side by side, in their order.
-    fn rows_of<V: Sync>(
-        &self,
-        values: &[V],
-        rows: impl Fn(&V) -> Result<Vec<Row>, TaskError> + Sync,
-    ) -> Result<Vec<Row>, TaskError> {
-        self.progress.inc_length(values.len() as u64);
-        let parts = values
-            .par_iter()
-            .map(|value| {
-                let rows = rows(value);
-                self.progress.inc(1);
-                rows
-            })
-            .collect::<Result<Vec<_>, _>>()?;
-        Ok(parts.into_iter().flatten().collect())
-    }
-}
-
-/// What a study found.
-#[derive(Default)]
-struct Found {
-    /// What methods did, whose outcomes are counted; what the table's name adds to the study's; and what is varied.
-    rows: Vec<Row>,
-    suffix: &'static str,
-    varied: &'static str,
-    /// Further tables, by what their names add to the study's.
-    more: Vec<(&'static str, Vec<Table>)>,
-    /// Pictures that no description can make, called as the study.
-    pictures: Vec<Svg>,
-    /// What fails the task.
-    failures: Vec<String>,
-}
-
-impl Found {
-    fn of(varied: &'static str, rows: Vec<Row>) -> Self {
-        Self {
-            rows,
-            varied,
-            ..Self::default()
-        }
-    }
-
-    /// With a further table of rows.
-    fn and(mut self, suffix: &'static str, varied: &str, rows: &[Row]) -> Self {
-        let records = rows.iter().map(|row| row.record(varied));
-        self.more.push((suffix, records.collect()));
-        self
-    }
-}
 
 /// Runs the task: progress on stderr, outcomes and findings on stdout.
 pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {

@@ -3,11 +3,11 @@
 mod data;
 mod edge;
 mod friction;
+mod shown;
 
+pub(super) use shown::shown;
 use stickslip_experiment::Experiment;
 use stickslip_measure::finding::{Finding, Level, Located, Part};
-use stickslip_scene::units::Unit;
-use stickslip_text::short;
 
 pub(super) use edge::why;
 pub(super) use friction::on_half_the_cells;
@@ -54,9 +54,4 @@ fn message(experiment: &Experiment, finding: &Finding) -> String {
 
 pub(super) fn yes_or_no(is_so: bool) -> String {
     if is_so { "yes" } else { "no" }.to_owned()
-}
-
-/// A value of base units in `unit`.
-pub(super) fn shown(unit: &Unit, value: f64) -> String {
-    format!("{} {}", short(unit.from_base(value)), unit.name)
 }

@@ -11,113 +11,33 @@
 mod combine;
 mod coverage;
 mod elsewhere;
+mod field;
 mod lines;
 mod phase;
 mod pictures;
+mod reading;
 mod rotation;
 mod scatter;
+mod scope;
 mod symmetry;
 mod table;
 
 use std::collections::BTreeMap;
 
-use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{Field, FringeLines, Measurement, Symmetry};
-use stickslip_hybrid::fringe::PixelMap;
-use stickslip_hybrid::moire::Grating;
+use stickslip_hybrid::data::{Field, Measurement};
 
 use super::ends::span;
 use super::error::ExperimentError;
 use super::finding::{FieldFinding, Finding, Located, Part};
 use super::synthesis::{Shot, Shots};
 use stickslip_experiment::{Experiment, Source};
-use stickslip_scene::limits::Content;
 
+pub use field::{Measured, PictureField};
 pub use rotation::TakenOff;
 
-/// The measured field of one state.
-#[derive(Clone, Debug)]
-pub struct Measured {
-    /// Index of the state in the experiment.
-    pub state: usize,
-    /// Displacements in base units, the null field taken off, masked where bad.
-    pub measurement: Measurement,
-    /// Fringe lines of the U and the V field, where the state has lines.
-    pub lines: Option<[FringeLines; 2]>,
-    /// What the pictures of the U and the V field say, where the state has pictures, or else where its null field has.
-    pub pictures: [Option<PictureField>; 2],
-    /// Front against back along the chosen line, U and V, before the null field is taken off.
-    pub symmetry: Vec<(Field, Symmetry)>,
-    /// Indices of the places of a table that are masked as outliers.
-    pub outliers: Vec<usize>,
-    /// Standard deviation `[mm]` that errors of U and V have at least, whatever residuals say: as stated, or as digits are rounded; 0
-    /// where nothing says.
-    pub floor: [f64; 2],
-    /// Rotations of the specimen that were taken off.
-    pub rotations: Vec<TakenOff>,
-    /// What was assumed or left out, and what a reader must know before trusting the field.
-    pub findings: Vec<(Part, Finding)>,
-}
-
-impl Measured {
-    /// A field of displacements that is known in full, without lines, pictures or findings.
-    pub fn new(state: usize, measurement: Measurement) -> Self {
-        Self {
-            state,
-            measurement,
-            lines: None,
-            pictures: [None, None],
-            symmetry: Vec::new(),
-            outliers: Vec::new(),
-            floor: [0.0; 2],
-            rotations: Vec::new(),
-            findings: Vec::new(),
-        }
-    }
-
-    /// The findings with the name of the state.
-    pub fn located(&self, experiment: &Experiment) -> impl Iterator<Item = Located> {
-        let name = &experiment.states[self.state].name;
-        let each = self.findings.iter();
-        each.map(move |(part, finding)| Located::of_state(name, *part, finding.clone()))
-    }
-
-    fn found(&mut self, findings: impl IntoIterator<Item = Finding>) {
-        self.found_in(Part::State, findings);
-    }
-
-    fn found_in(&mut self, part: Part, findings: impl IntoIterator<Item = Finding>) {
-        let findings = findings.into_iter();
-        self.findings.extend(findings.map(|own| (part, own)));
-    }
-}
-
-/// One field as its pictures show it.
-#[derive(Clone, Debug)]
-pub struct PictureField {
-    /// The picture, or the first of four.
-    pub picture: PixelMap,
-    /// Orders up to a whole number, in −½ … ½, less the carrier.
-    pub wrapped: PixelMap,
-    /// Orders without jumps, carrier and null field taken off (but for a null field that is a table); one region.
-    pub orders: PixelMap,
-    /// Middles of loops of four pixels around which orders do not close, those of the null field's picture too `[mm]`.
-    pub residues: Vec<Point>,
-    /// Middles between neighbouring pixels that differ by half a fringe or more `[mm]`; their orders are masked.
-    pub cuts: Vec<Point>,
-    /// Standard deviation of an order `[fringes]`.
-    pub deviation: f64,
-    /// Length over which errors depend on each other `[mm]`.
-    pub resolution: f64,
-    /// The carrier that was taken off `[1/mm]`.
-    pub carrier: [f64; 2],
-    /// Power of the carrier's peak over that of the noise, of a single picture.
-    pub strength: Option<f64>,
-    /// Median amplitude of the fringes, part of full scale.
-    pub modulation: f64,
-    /// Whether this is a picture of the null field alone: the state's own data are a table.
-    pub of_null: bool,
-}
+use field::range;
+use reading::Reading;
+use scope::Scope;
 
 /// The measured field of a state; `shots` are its synthetic pictures.
 ///
@@ -226,94 +146,4 @@ fn large(measurement: &Measurement) -> Option<Finding> {
     let of_extent = range[0].max(range[1]) / extent[0].hypot(extent[1]);
     let found = FieldFinding::LargeDisplacements { of_extent };
     (of_extent > STRAIN).then_some(Finding::Field(found))
-}
-
-/// Greatest less least valid displacement `[mm]`.
-fn range(measurement: &Measurement, field: Field) -> f64 {
-    let c = field.component();
-    let both = measurement.displacements[c]
-        .iter()
-        .zip(&measurement.valid[c]);
-    span(both.filter(|(_, valid)| **valid).map(|(&value, _)| value))
-}
-
-/// What a source is read for.
-#[derive(Clone, Debug)]
-struct Scope<'a> {
-    experiment: &'a Experiment,
-    state: usize,
-    /// Key of the source in the file.
-    key: String,
-}
-
-impl Scope<'_> {
-    fn name(&self) -> String {
-        self.experiment.states[self.state].name.clone()
-    }
-
-    fn data(&self, cause: stickslip_hybrid::data::DataError) -> ExperimentError {
-        ExperimentError::Data {
-            state: self.name(),
-            key: self.key.clone(),
-            cause: Box::new(cause),
-        }
-    }
-
-    fn fringes(
-        &self,
-        field: &'static str,
-        cause: stickslip_hybrid::fringe::FringeError,
-    ) -> ExperimentError {
-        ExperimentError::fringes(&self.name(), field, &self.key, cause)
-    }
-
-    fn bytes(&self, path: &std::path::Path, content: Content) -> Result<Vec<u8>, ExperimentError> {
-        let read = self.experiment.host().read(path, content);
-        read.map_err(|cause| ExperimentError::File {
-            key: self.key.clone(),
-            path: path.display().to_string(),
-            cause: cause.to_string(),
-        })
-    }
-
-    /// The longest side of triangles in which data are interpolated `[mm]`; infinite where none is stated.
-    fn longest_side(&self) -> f64 {
-        let stated = self.experiment.reduce.longest_side;
-        stated.unwrap_or(f64::INFINITY)
-    }
-
-    fn grating(&self) -> Result<Grating, ExperimentError> {
-        let missing = || {
-            ExperimentError::missing(
-                "",
-                "fringe orders are displacements only with the frequency of their grating",
-                "add [grating] frequency = \"2400 1/mm\"",
-            )
-        };
-        self.experiment.grating.ok_or_else(missing)
-    }
-
-    /// Whether a place is on the specimen and under no mask.
-    fn shows(&self, place: Point) -> bool {
-        let hole = self.experiment.specimen.hole;
-        hole.from_centre(place) > hole.radius
-            && !(self.experiment.reduce.mask.iter()).any(|area| area.contains(place))
-    }
-
-    /// Whether a place of data that resolve `resolved` \[mm\] is as far from the hole's edge as asked.
-    fn is_away(&self, place: Point, resolved: f64) -> bool {
-        let hole = self.experiment.specimen.hole;
-        hole.from_centre(place) >= hole.radius + self.experiment.reduce.margin.unwrap_or(resolved)
-    }
-}
-
-/// A source as it was read, before anything is taken off.
-#[derive(Clone, Debug)]
-enum Reading {
-    /// Displacements at places of a table.
-    Scattered(Box<Measured>),
-    /// Orders at the pixels of the U and the V field.
-    Pictures(Box<[Option<phase::Unwound>; 2]>),
-    /// Fringe lines of the U and the V field.
-    Lines(lines::Digitised),
 }

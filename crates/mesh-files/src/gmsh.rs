@@ -17,11 +17,11 @@ use crate::assemble::{Rules, assemble};
 use crate::error::ReadError;
 use crate::imported::{Coincident, Imported};
 use crate::note::Note;
-use crate::place::{Files, Place, Spot};
+use crate::place::Place;
 use crate::raw::Raw;
 use groups::Groups;
 pub(crate) use types::number_of;
-use words::Words;
+use words::{Words, place};
 
 /// The layouts of nodes and elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,10 +68,6 @@ pub(crate) fn read(text: &str, coincident: Coincident) -> Result<Imported, ReadE
         merge_twins: version == Version::Two,
     };
     assemble(file, &sets, rules)
-}
-
-fn place(spot: Spot) -> Place {
-    Files::default().place(spot)
 }
 
 /// Reads `$MeshFormat`.

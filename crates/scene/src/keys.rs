@@ -14,6 +14,7 @@
 //! (`schema/mesh.rs`), and the shapes that use it name it in [`mesh_keys`](crate::shape::Outline::mesh_keys); of others it is refused.
 
 mod bodies;
+mod choices;
 mod document;
 mod failure;
 mod fasteners;
@@ -25,6 +26,7 @@ mod tests;
 
 use crate::declaration::{Key, Table};
 use crate::shape;
+use choices::{coded, quoted};
 
 pub use self::document::document;
 
@@ -35,18 +37,6 @@ pub fn tables() -> impl Iterator<Item = Table> {
     let own = own.into_iter().flatten().copied();
     own.chain(shape::tables())
         .chain(others.into_iter().flatten().copied())
-}
-
-/// Choices that are texts, as a document shows them: `"Q8"`, `"Q9"`.
-fn quoted(names: impl Iterator<Item = &'static str>) -> String {
-    let names: Vec<String> = names.map(|name| format!("`\"{name}\"`")).collect();
-    names.join(", ")
-}
-
-/// Choices that are keys, as a document shows them.
-fn coded(names: impl Iterator<Item = &'static str>) -> String {
-    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
-    names.join(", ")
 }
 
 /// The table at `path`, `loads.0.force`.

@@ -2,26 +2,21 @@
 
 mod discretisations;
 mod programs;
+mod rows;
 mod verdict;
 
 use minijinja::{Environment, context};
+use rows::{Rows, TARGETS, none, number, percent, ranking};
 use stickslip_laboratory::problems::Problem;
 
 use super::Charts;
 use super::bench::{Bench, Cost, Quantity};
-use super::curve::cost_of;
 use super::data::{machine, seconds, today};
 use super::methods::{self, Group, Method};
 use crate::publish::TaskError;
 
-/// Errors at which methods are compared.
-const TARGETS: [f64; 2] = [1e-2, 1e-3];
-
 /// What stands in place of a method where the reference is not known so well.
 const BEYOND: &str = "reference less exact";
-
-/// The cells of a table.
-type Rows = Vec<Vec<String>>;
 
 /// A few lines for the terminal.
 pub(super) fn short(charts: &Charts) -> String {
@@ -96,24 +91,6 @@ fn factors(charts: &Charts) -> Rows {
     charts.factors.iter().map(row).collect()
 }
 
-/// Labels of the group's methods that reach `target`, the cheapest first.
-fn ranking(
-    bench: &Bench,
-    problem: Problem,
-    group: &Group,
-    cost: Cost,
-    quantity: Quantity,
-    target: f64,
-) -> Vec<(String, f64)> {
-    let cost_of = |(label, method): &(String, Method)| {
-        let points = bench.points(problem, *method, cost, quantity);
-        Some((label.clone(), cost_of(&points, target)?))
-    };
-    let mut ranking: Vec<(String, f64)> = group.methods.iter().filter_map(cost_of).collect();
-    ranking.sort_by(|a, b| a.1.total_cmp(&b.1));
-    ranking
-}
-
 /// Fastest elements at both errors, and the one with the fewest unknowns, for each problem and quantity.
 fn elements(bench: &Bench) -> Rows {
     let group = methods::elements();
@@ -164,10 +141,6 @@ fn known() -> Rows {
             .collect()
     };
     Problem::ALL.into_iter().map(row).collect()
-}
-
-fn none() -> String {
-    "–".to_owned()
 }
 
 fn solvers(bench: &Bench, groups: &[Group]) -> Rows {
@@ -232,24 +205,6 @@ fn first_clause(cause: &str) -> String {
     let end = cause.match_indices(';').map(|(at, _)| at);
     let end = end.into_iter().find(|&at| at > 100);
     end.map_or(cause.clone(), |at| cause[..at].to_owned())
-}
-
-/// Two digits, or all before the point.
-fn number(value: f64) -> String {
-    if value >= 9.95 {
-        format!("{value:.0}")
-    } else {
-        format!("{value:.1}")
-    }
-}
-
-fn percent(value: f64) -> String {
-    let value = 100.0 * value;
-    if value >= 0.1 {
-        format!("{value:.2} %")
-    } else {
-        format!("{value:.3} %")
-    }
 }
 
 #[cfg(test)]

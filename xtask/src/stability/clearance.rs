@@ -1,10 +1,10 @@
 //! Study 3: the clearance between pin and hole, from interference through a neat fit to a tenth of the radius.
 
+use super::context::{Context, Found};
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::methods;
 use super::row::Row;
-use super::{Context, Found};
 use crate::publish::TaskError;
 
 const HOLE_IN: f64 = 0.375;

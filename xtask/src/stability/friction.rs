@@ -9,12 +9,12 @@ use stickslip_contact::{InterfaceProblem, uniqueness_bound};
 use stickslip_laboratory::discrete::{self, Discrete, Known};
 use toml::Table;
 
+use super::context::{Context, Found};
 use super::history::{Stage, Stages};
 use super::joint::{Joint, coulomb, set};
 use super::judge::judge;
 use super::methods::{CHAIN, Method, methods};
 use super::row::Row;
-use super::{Context, Found};
 use crate::publish::TaskError;
 use crate::study::record::fields;
 use starts::{Stuck, stuck};

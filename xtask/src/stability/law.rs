@@ -8,10 +8,10 @@ use stickslip_contact::Chain;
 use stickslip_contact::solver::InterfaceSolver;
 use stickslip_friction::{FrictionLaw, SlipPath, SlipPower, StaticDynamic, Transition};
 
+use super::context::{Context, Found};
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::{CHAIN, methods};
-use super::{Context, Found};
 use crate::publish::TaskError;
 use crate::study::record::fields;
 

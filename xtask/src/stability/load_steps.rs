@@ -7,12 +7,12 @@ use stickslip_contact::{ContactState, InterfaceProblem};
 use stickslip_friction::{FrictionLaw, StaticDynamic, Transition};
 use stickslip_laboratory::discrete::commit;
 
+use super::context::{Context, Found};
 use super::history::increment;
 use super::joint::{Joint, coulomb, set};
 use super::judge::{distance, judge};
 use super::methods::{CHAIN, Method, methods};
 use super::row::Row;
-use super::{Context, Found};
 use crate::publish::TaskError;
 
 const LIMIT_LBF: f64 = 1240.0;

@@ -4,11 +4,11 @@ mod block;
 
 use stickslip_fem_core::mesh::ElementKind;
 
+use super::context::{Context, ELEMENTS, Found};
 use super::history::Stages;
 use super::methods::methods;
 use super::outcome::Outcome;
 use super::row::Row;
-use super::{Context, ELEMENTS, Found};
 use crate::publish::TaskError;
 use crate::study::record::fields;
 use block::{Block, Defect, Indenter};

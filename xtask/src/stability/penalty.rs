@@ -4,12 +4,12 @@ mod stiffness_side;
 
 use stickslip_contact::{AugmentedLagrangian, InterfaceSolver, Penalty};
 
+use super::context::{Context, Found};
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::judge::distance;
 use super::methods::Method;
 use super::row::Row;
-use super::{Context, Found};
 use crate::publish::TaskError;
 
 const CASE: &str = "pin in a plate, 14 steps";

@@ -10,10 +10,10 @@ use stickslip_report::map::{Category, Group, OutcomeMap};
 use stickslip_report::svg::Svg;
 use toml::Table;
 
+use super::context::{Context, Found};
 use super::judge::judge;
 use super::methods::{Method, methods};
 use super::outcome::Outcome;
-use super::{Context, Found};
 use crate::publish::TaskError;
 use crate::study::record::fields;
 

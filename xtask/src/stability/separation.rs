@@ -1,12 +1,12 @@
 //! Study 4: contact that begins, ends and begins again.
 
+use super::context::{Context, Found};
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::judge::judge;
 use super::methods::{CHAIN, methods};
 use super::outcome::Outcome;
 use super::row::Row;
-use super::{Context, Found};
 use crate::publish::TaskError;
 
 /// Loads of the plate `[lbf]`: first contact, growth, release, the other side, and back.

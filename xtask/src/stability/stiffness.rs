@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use stickslip_fem_core::mesh::ElementKind;
 
+use super::context::{Context, ELEMENTS, Found};
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::methods;
 use super::row::Row;
-use super::{Context, ELEMENTS, Found};
 use crate::publish::TaskError;
 
 const RATIO: &str = "stiffness ratio, friction 0.3";

@@ -7,7 +7,9 @@ mod command;
 mod fault;
 mod files;
 mod prepared;
+mod said;
 
+use said::said;
 use std::path::Path;
 use std::process::Output;
 use std::sync::OnceLock;
@@ -135,10 +137,6 @@ fn leftovers(found: &Contents) -> Result<(), String> {
     } else {
         Err(format!("{left:?}"))
     }
-}
-
-fn said(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 fn counted(seed: u64, writer: &Writer, fault: &Fault, found: &Found) -> Trial {

@@ -2,22 +2,14 @@
 
 use stickslip_hybrid::data::{DataError, Field, FringeLines, OffTrack};
 
+use super::field::Measured;
+use super::reading::{Digitised, Reading};
 use super::rotation::of_lines;
-use super::{Measured, Reading, Scope};
+use super::scope::Scope;
 use crate::error::ExperimentError;
 use crate::finding::{Finding, LineFinding};
 use stickslip_experiment::LineSource;
 use stickslip_scene::limits::Content;
-
-/// What tables of fringe centres say.
-#[derive(Clone, Debug)]
-pub(super) struct Digitised {
-    /// Fringe lines of the U and the V field.
-    pub(super) lines: [FringeLines; 2],
-    /// Standard deviation of an order `[fringes]`.
-    pub(super) deviation: f64,
-    pub(super) findings: Vec<Finding>,
-}
 
 /// The fringe lines of both fields.
 pub(super) fn read(scope: &Scope<'_>, source: &LineSource) -> Result<Reading, ExperimentError> {

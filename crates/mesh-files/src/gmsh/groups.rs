@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::place;
 use super::words::Words;
+use super::words::place;
 use crate::assemble::{RawEdge, Sets};
 use crate::error::ReadError;
 use crate::lines;

@@ -1,8 +1,9 @@
 //! Nodes and elements of MSH 2: one node and one element a line.
 
 use super::groups::Groups;
+use super::types;
 use super::words::Words;
-use super::{place, types};
+use super::words::place;
 use crate::error::ReadError;
 use crate::raw::{Raw, Shape};
 

@@ -1,9 +1,10 @@
 //! Entities, nodes and elements of MSH 4.1: blocks for each entity of the geometry.
 
 use super::groups::Groups;
+use super::types;
 use super::version2::read_nodes;
 use super::words::Words;
-use super::{place, types};
+use super::words::place;
 use crate::error::ReadError;
 use crate::raw::Raw;
 

@@ -2,10 +2,9 @@
 
 use std::str::SplitAsciiWhitespace;
 
-use super::place;
 use crate::error::ReadError;
 use crate::lines::{self, Lines};
-use crate::place::Spot;
+use crate::place::{Files, Place, Spot};
 
 /// Reads words, and lines where the format has them.
 #[derive(Clone, Debug)]
@@ -114,4 +113,9 @@ impl<'a> Words<'a> {
 /// The beginning of what a message quotes.
 fn shortened(text: &str) -> String {
     text.chars().take(40).collect()
+}
+
+/// Where a word of a file that stands alone is.
+pub(super) fn place(spot: Spot) -> Place {
+    Files::default().place(spot)
 }

@@ -6,16 +6,18 @@ mod families;
 pub(super) mod fields;
 mod history;
 mod map;
+mod plan;
+mod shown;
 pub(super) mod sides;
 pub(super) mod sketch;
 
-use stickslip_contact::Status;
 use stickslip_fem_core::parallel;
 use stickslip_report::FigureError;
-use stickslip_report::chart::Band;
-use stickslip_report::color::Color;
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
-use stickslip_report::svg::Svg;
+
+use plan::Plan;
+pub(super) use plan::{Drawing, Group};
+use shown::{half_remark, last_largest, margin_remark, zone_bands, zone_color, zone_name};
 
 use super::OutputError;
 use super::attempt::Attempt;
@@ -23,51 +25,8 @@ use super::display::EdgeView;
 use super::failure::{self, FailureView};
 use super::names::FileNames;
 use super::progressive::{self, ProgressiveView};
-use super::zones::shown_ranges;
 use stickslip_engine::results::Results;
 use stickslip_scene::schema::EnvelopePlane;
-
-/// A finished figure.
-#[derive(Debug)]
-pub(super) struct Drawing {
-    /// File name without ending, and anchor on the page.
-    pub(super) name: String,
-    pub(super) picture: Svg,
-    pub(super) png: Vec<u8>,
-    pub(super) caption: String,
-    pub(super) group: Group,
-}
-
-/// Which part of the page a figure belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Group {
-    /// The scene itself.
-    Problem,
-    /// A joint followed to its end.
-    Joint,
-    Edge,
-    History,
-    Failure,
-    Field,
-}
-
-/// A figure that can be drawn beside others.
-struct Plan<'a> {
-    group: Group,
-    /// File name before it is made safe and different from others.
-    stem: String,
-    draw: Box<dyn Fn() -> Attempt + Sync + 'a>,
-}
-
-impl<'a> Plan<'a> {
-    fn new(group: Group, stem: String, draw: impl Fn() -> Attempt + Sync + 'a) -> Self {
-        Self {
-            group,
-            stem,
-            draw: Box::new(draw),
-        }
-    }
-}
 
 /// All figures that apply, and a line for each that could not be drawn: a picture is not worth losing a result.
 ///
@@ -187,57 +146,4 @@ fn of_failure<'a>(view: &'a FailureView<'a>) -> Vec<Plan<'a>> {
     });
     plans.extend(maps);
     plans
-}
-
-/// The largest of `values` by `size`; of those that are equal but for rounding the last.
-fn last_largest<T: Copy>(values: impl Iterator<Item = T>, size: impl Fn(T) -> f64) -> Option<T> {
-    const ROUNDING: f64 = 1e-7;
-    let values: Vec<T> = values.collect();
-    let most = values.iter().map(|&value| size(value)).reduce(f64::max)?;
-    let high = |value: &&T| size(**value) >= most * (1.0 - ROUNDING);
-    values.iter().rev().find(high).copied()
-}
-
-/// Colour of a zone in every figure.
-fn zone_color(status: Status) -> Color {
-    match status {
-        Status::Open => Color::rgb(0x9a, 0x9a, 0x9a),
-        Status::Stick => Color::rgb(0x1f, 0x6f, 0xb4),
-        Status::SlipPositive => Color::rgb(0xe0, 0x7b, 0x1a),
-        Status::SlipNegative => Color::rgb(0x2a, 0x93, 0x5c),
-    }
-}
-
-/// Name of a zone for a reader.
-fn zone_name(view: &EdgeView<'_>, status: Status) -> &'static str {
-    let [positive, negative] = view.slip_names();
-    match status {
-        Status::Open => "open",
-        Status::Stick => "stick",
-        Status::SlipPositive => positive,
-        Status::SlipNegative => negative,
-    }
-}
-
-/// Zones of a step as bands over the place axis.
-fn zone_bands(view: &EdgeView<'_>, step: usize) -> Vec<Band> {
-    let ranges = shown_ranges(view, step).into_iter();
-    ranges
-        .map(|(status, [start, end])| {
-            Band::new(zone_name(view, status), start, end, zone_color(status))
-        })
-        .collect()
-}
-
-/// What bands around curves are, for captions.
-fn margin_remark(view: &EdgeView<'_>) -> Option<String> {
-    let mut steps = view.results().steps.iter();
-    let known = steps.any(|step| step.edges.iter().any(|edge| !edge.row_errors.is_empty()));
-    known.then(|| "Bands around curves are estimated errors.".to_owned())
-}
-
-/// What a half model shows, for captions.
-fn half_remark(view: &EdgeView<'_>) -> Option<String> {
-    let remark = "One half is modelled; the other is its mirror image.";
-    view.geometry.half.then(|| remark.to_owned())
 }

@@ -3,8 +3,11 @@
 mod contact;
 mod free;
 mod joint;
+mod lists;
 mod points;
 
+pub(super) use lists::load_steps;
+pub use lists::quoted;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
@@ -333,35 +336,9 @@ fn no_other_solver(too_dear: &[usize], limit: f64, unsolved: &[usize]) -> String
     )
 }
 
-/// "'a', 'b' and 'c'".
-pub fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
-    let quoted = names.into_iter().map(|name| format!("'{}'", name.as_ref()));
-    let mut names: Vec<String> = quoted.collect();
-    let last = names.pop().unwrap_or_default();
-    if names.is_empty() {
-        last
-    } else {
-        format!("{} and {last}", names.join(", "))
-    }
-}
-
 fn mesh_file(body: &str, notes: &[FileNote]) -> String {
     let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
     format!("The mesh of '{body}': {}.", notes.join("; "))
-}
-
-/// "load step 3", or ascending numbers with runs shortened: "load steps 2–5, 9".
-pub(super) fn load_steps(steps: &[usize]) -> String {
-    let runs = steps.chunk_by(|a, b| a + 1 == *b);
-    let shown = runs.map(|run| match run {
-        [first, .., last] => format!("{first}–{last}"),
-        one => one.iter().map(ToString::to_string).collect(),
-    });
-    let shown = shown.collect::<Vec<_>>().join(", ");
-    match steps {
-        [_] => format!("load step {shown}"),
-        _ => format!("load steps {shown}"),
-    }
 }
 
 /// A part in percent with two digits.

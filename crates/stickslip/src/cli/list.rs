@@ -3,8 +3,10 @@
 mod keys;
 mod laminates;
 mod presets;
+mod table;
 
 use std::fmt::Write as _;
+use table::table;
 
 use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
@@ -144,19 +146,6 @@ fn text(topic: Topic) -> String {
             format!("{columns}\n{}", signs_table())
         }
     }
-}
-
-/// A title and two aligned columns.
-fn table(title: &str, rows: impl Iterator<Item = (String, String)>) -> String {
-    let rows: Vec<_> = rows.collect();
-    let width = rows
-        .iter()
-        .map(|(name, _)| name.chars().count())
-        .max()
-        .unwrap_or_default();
-    let line = |(name, text): &(String, String)| format!("  {name:width$}  {text}");
-    let lines: Vec<_> = rows.iter().map(line).collect();
-    format!("{title}\n{}\n", lines.join("\n"))
 }
 
 /// A law or point model: name, summary and parameters.
