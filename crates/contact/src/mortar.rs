@@ -28,158 +28,19 @@
 //! (2011), dual functions on edges covered in part.
 
 mod basis;
+mod error;
 mod gather;
+mod settings;
 mod side;
 
-use std::fmt;
-
 use nalgebra::Matrix2;
-use stickslip_fem_core::mesh::{MAX_ORDER, Point};
-use thiserror::Error;
+use stickslip_fem_core::mesh::Point;
 
+pub use error::MortarError;
+pub use settings::{InitialGap, Multipliers, Projection};
 pub use side::EdgeSide;
 
 use crate::problem::{ContactPoint, Stencil};
-
-/// Why two edges cannot be projected on each other.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[non_exhaustive]
-pub enum MortarError {
-    /// Edges have the orders of the elements.
-    #[error("edges of order {0}; 1 to {MAX_ORDER} exist")]
-    Order(usize),
-    /// There are not as many parameters as nodes.
-    #[error("{parameters} parameters for {nodes} nodes")]
-    Parameters {
-        /// Parameters given.
-        parameters: usize,
-        /// Nodes given.
-        nodes: usize,
-    },
-    /// The number of nodes does not make whole edges.
-    #[error("{nodes} nodes do not make whole edges of order {order}")]
-    Nodes {
-        /// Nodes given.
-        nodes: usize,
-        /// Order of the edges.
-        order: usize,
-    },
-    /// The parameter does not ascend, or a number of it is not finite.
-    #[error("the parameter goes from {from} to {to} after node {node} of the walk; it must ascend")]
-    NotAscending {
-        /// Place in the walk.
-        node: usize,
-        /// Parameter there.
-        from: f64,
-        /// Parameter at the next node.
-        to: f64,
-    },
-    /// A mid-side node lies outside the middle half of its edge, where the edge folds back on itself.
-    #[error(
-        "the mid-side node {node} of the walk lies {fraction:.3} along its edge; 0.25 to 0.75 is possible"
-    )]
-    MidSide {
-        /// Place in the walk.
-        node: usize,
-        /// Fraction of the edge.
-        fraction: f64,
-    },
-    /// The nodes inside an edge of order above 2 are so far from their places that the edge folds back on itself.
-    #[error("edge {edge} of the walk folds back on itself between its nodes")]
-    Folded {
-        /// Place of the edge in the walk.
-        edge: usize,
-    },
-    /// A closed edge spans more than its period, or two closed edges differ in it.
-    #[error("an edge spans {span} of a period of {period}")]
-    Period {
-        /// What it spans.
-        span: f64,
-        /// The period.
-        period: f64,
-    },
-    /// A length or thickness is not positive.
-    #[error("the {what} is {value}; it must be positive")]
-    NotPositive {
-        /// What it is.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// A position is needed of a node that has none.
-    #[error("node {node} of {count} has no position")]
-    NoPosition {
-        /// Index of the node.
-        node: usize,
-        /// Positions given.
-        count: usize,
-    },
-    /// The edges do not face each other anywhere.
-    #[error("the edges have no common part")]
-    NoOverlap,
-}
-
-/// The functions that contact forces are made of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Multipliers {
-    /// The shape functions of the first edge.
-    #[default]
-    Standard,
-    /// Functions biorthogonal to them: on a straight edge each point stands on one node of the first body alone.
-    Dual,
-}
-
-/// Distance between the undeformed edges.
-#[derive(Clone, Copy)]
-pub enum InitialGap<'a> {
-    /// Exact gap `[length]` at a parameter.
-    Exact(&'a dyn Fn(f64) -> f64),
-    /// Between the meshes as they are: positions `[length]` of the contact points of the first and of the second body.
-    Faceted(&'a [Point], &'a [Point]),
-}
-
-impl fmt::Debug for InitialGap<'_> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::Exact(_) => "Exact",
-            Self::Faceted(..) => "Faceted",
-        })
-    }
-}
-
-/// What a projection needs beside the edges.
-#[derive(Clone, Copy)]
-pub struct Projection<'a> {
-    /// Functions of the contact forces.
-    pub multipliers: Multipliers,
-    /// Length `[length]` of the contact per unit of the parameter: 1 for arc length, the radius for an angle.
-    pub length: f64,
-    /// Thickness `[length]` of the contact.
-    pub thickness: f64,
-    /// Unit normal e_n from the second body into the first at a parameter.
-    pub normal: &'a dyn Fn(f64) -> [f64; 2],
-    /// Initial gap.
-    pub gap: InitialGap<'a>,
-    /// Angle of the first body's 1-axis from x `[rad]`.
-    pub material_angle: f64,
-    /// Whether the first edge starts, and ends, on a line of symmetry. Shear is odd there, so the multiplier of that node
-    /// has no tangential part.
-    pub symmetry: [bool; 2],
-}
-
-impl fmt::Debug for Projection<'_> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter
-            .debug_struct("Projection")
-            .field("multipliers", &self.multipliers)
-            .field("length", &self.length)
-            .field("thickness", &self.thickness)
-            .field("gap", &self.gap)
-            .field("material_angle", &self.material_angle)
-            .field("symmetry", &self.symmetry)
-            .finish_non_exhaustive()
-    }
-}
 
 /// The contact points of two edges.
 #[derive(Clone, Debug, PartialEq)]

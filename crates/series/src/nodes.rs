@@ -8,8 +8,10 @@
 //! resultant: λ_i = R t w_i q_i, acting at the mean place ⟨x⟩_i, which lies inside of the circle by a twelfth of the squared spacing.
 //! The displacement of a node is the mean ⟨u⟩_i, which is the one that λ_i works on.
 
+mod element;
 mod parts;
 
+pub(crate) use element::{Element, Knot};
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
@@ -39,30 +41,6 @@ pub struct Nodes {
     elements: Vec<Element>,
     /// Spacing `[rad]` where all knots of a closed circle are equally far.
     step: Option<f64>,
-}
-
-/// A node of the whole circle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Knot {
-    /// Angle `[rad]`.
-    pub(crate) angle: f64,
-    /// Node of the operator, or that whose image this is.
-    pub(crate) node: usize,
-    /// Its mirror image among the knots, itself on the axis; itself without symmetry.
-    pub(crate) image: usize,
-    /// w of its whole hat `[rad]`.
-    pub(crate) weight: f64,
-}
-
-/// A part of the circle between two knots.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Element {
-    /// Its knots, in the order of angles.
-    pub(crate) knots: [usize; 2],
-    /// Angle of the first `[rad]`.
-    pub(crate) start: f64,
-    /// Length `[rad]`.
-    pub(crate) length: f64,
 }
 
 impl Nodes {

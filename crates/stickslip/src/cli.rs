@@ -28,6 +28,7 @@
 //!
 //! because laws register themselves.
 
+mod arguments;
 mod check;
 mod console;
 mod experiment;
@@ -41,16 +42,14 @@ mod located;
 mod memory;
 mod run;
 
-use std::path::PathBuf;
+use arguments::SceneArguments;
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 
 use console::Console;
 use failure::CommandError;
 use stickslip_measure::chain::Depth;
-use stickslip_scene::Scene;
-use stickslip_scene::diagnostic::SceneError;
 
 /// Plane frictional contact of elastic bodies.
 #[derive(Debug, Parser)]
@@ -86,22 +85,6 @@ enum Command {
     Init(init::InitArguments),
     /// List friction laws, loads, lay-ups, failure criteria, point models, templates, presets, elements, solvers, units, signs of results and keys
     List(list::ListArguments),
-}
-
-/// A scene file and overrides.
-#[derive(Debug, Args)]
-struct SceneArguments {
-    /// Scene file: TOML, or JSON if the name ends in .json
-    scene: PathBuf,
-    /// Set any key of the scene, for example --set mesh.spacing="2.25 deg" or --set contacts.0.friction.coulomb.mu=0.15
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    overrides: Vec<String>,
-}
-
-impl SceneArguments {
-    fn read(&self) -> Result<Scene, SceneError> {
-        Scene::from_file(&self.scene, &self.overrides, memory::host())
-    }
 }
 
 /// Prints what the parser of arguments has to say. Help and version are such "refusals" too, with exit code 0.

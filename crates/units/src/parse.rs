@@ -5,7 +5,8 @@ use std::fmt;
 use miette::Diagnostic;
 use thiserror::Error;
 
-use super::{Dimension, UNITS, Unit, unit_called};
+use super::unit::unit_called;
+use super::{Dimension, UNITS, Unit};
 
 /// The dimensions that fit in one place of a scene: one, or one of two.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -202,5 +203,27 @@ fn number_length(text: &str) -> usize {
     match digits_from(start.min(bytes.len())) {
         0 => mantissa,
         count => start + count,
+    }
+}
+
+impl Unit {
+    /// The unit called `name`.
+    ///
+    /// # Errors
+    /// [`UnitError::UnknownUnit`] if there is none, [`UnitError::WrongDimension`] if it measures something else.
+    pub fn named(name: &str, dimension: Dimension) -> Result<&'static Self, UnitError> {
+        match unit_called(name, &[dimension]) {
+            Some(unit) if unit.dimension == dimension => Ok(unit),
+            Some(unit) => Err(UnitError::WrongDimension {
+                text: name.to_owned(),
+                expected: Expected::one(dimension),
+                found: unit.dimension,
+            }),
+            None => Err(UnitError::UnknownUnit {
+                text: name.to_owned(),
+                unit: name.to_owned(),
+                expected: Expected::one(dimension),
+            }),
+        }
     }
 }

@@ -1,5 +1,7 @@
 use miette::Diagnostic;
 
+use std::f64::consts::PI;
+
 use super::*;
 
 fn value(text: &str, dimension: Dimension) -> f64 {

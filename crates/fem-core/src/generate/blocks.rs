@@ -17,7 +17,9 @@
 mod cell;
 mod lattice;
 mod merge;
+mod side;
 
+pub use side::Side;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -25,19 +27,6 @@ use self::lattice::Lattice;
 use self::merge::Merger;
 use super::GenerateError;
 use crate::mesh::{Curve, EdgeRef, EdgeSet, ElementBlock, ElementKind, Mesh, MeshParts, Point};
-
-/// A side of a block, in lattice terms: south is j = 0, west is i = 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// j = 0.
-    South,
-    /// i = nᵢ.
-    East,
-    /// j = nⱼ.
-    North,
-    /// i = 0.
-    West,
-}
 
 /// A block of the builder that made it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
