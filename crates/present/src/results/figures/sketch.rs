@@ -255,12 +255,11 @@ impl Sketch<'_> {
             };
             let at = at.or_else(|| self.middle(site))?;
             // A pressure ends on its edge, a force begins there.
-            let (direction, start) = match direction {
-                Some(direction) => (*direction, at),
-                None => {
-                    let inwards = inwards(&walk?)?;
-                    (inwards, ahead(at, inwards, -length))
-                }
+            let (direction, start) = if let Some(direction) = direction {
+                (*direction, at)
+            } else {
+                let inwards = inwards(&walk?)?;
+                (inwards, ahead(at, inwards, -length))
             };
             Some(arrow(start, direction, length))
         };
