@@ -19,7 +19,7 @@ pub fn circles(radius: f64, clearance: f64, offset: [f64; 2], theta: f64) -> f64
     clearance - along + across * across / (pin + (pin * pin - across * across).sqrt())
 }
 
-/// The same gap to first order in the clearance: c − e·e_r.
+/// The same gap `[length]` to first order in the clearance: c − e·e_r.
 pub fn circles_linearised(clearance: f64, offset: [f64; 2], theta: f64) -> f64 {
     clearance - offset[0] * theta.cos() - offset[1] * theta.sin()
 }

@@ -53,8 +53,8 @@ pub(crate) use room::parts;
 use meshes::Meshes;
 use plan::Plan;
 pub use plan::Seat;
-pub use sets::{Measure, ModelSet};
-pub use singular::Singular;
+pub use sets::{Mean, Measure, ModelSet};
+pub use singular::{Singular, corner_exponent};
 
 /// What is known of a contact beside its points.
 #[derive(Clone, Copy, Debug)]

@@ -38,7 +38,7 @@ pub(crate) enum SeriesNodes<'a> {
     Line(&'a LineNodes),
 }
 
-/// What a body by series has anywhere.
+/// What a body by series has at any place: displacements `[mm]` and stresses `[MPa]`, exact between nodes.
 #[derive(Clone, Debug)]
 pub enum SeriesField {
     /// About a circle.

@@ -40,15 +40,15 @@ pub struct BodyState {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
-    /// Work of loads and driven supports, ∫ F du by the trapezoidal rule.
+    /// Work of loads and driven supports, ∫ F du by the trapezoidal rule `[force·length]`.
     pub external: f64,
-    /// Change of the elastic energy of all bodies.
+    /// Change of the elastic energy of all bodies `[force·length]`.
     pub stored: f64,
-    /// What the points of the bodies dissipated.
+    /// What the points of the bodies dissipated `[force·length]`.
     pub dissipated: f64,
-    /// What slip dissipated.
+    /// What slip dissipated `[force·length]`.
     pub friction: f64,
-    /// What was set free where plies lost stiffness at once, beyond what their model dissipates: in the joint it goes into waves.
+    /// What was set free where plies lost stiffness at once, beyond what their model dissipates: in the joint it goes into waves `[force·length]`.
     pub released: f64,
 }
 

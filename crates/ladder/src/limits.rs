@@ -2,11 +2,12 @@
 //!
 //! Where the friction of two neighbouring points differs by a jump, the tangential stress between them is infinite like the logarithm of the distance:
 //! at a place from where slip leads away on both sides without a stick zone, and at an end of stick where friction drops when slip begins.
-//! With bodies of unlike elasticity the pressure is infinite there too. At an end of a supported edge, and at a point that is held, stress is infinite without any contact.
+//! With bodies of unlike elasticity the pressure is infinite there too. At an end of a supported edge, at a point that is held, and at a
+//! corner of more than half a turn, stress is infinite without any contact.
 
 use stickslip_contact::{Contacts, Status, StepRecord};
 
-use stickslip_engine::model::Model;
+use stickslip_engine::model::{Model, Singular};
 use stickslip_engine::results::{EdgeGeometry, EdgeResults, EdgeRow, Stated};
 
 /// Which numbers of an edge in a step have no limit.
@@ -27,7 +28,7 @@ enum Cause {
     Friction,
     /// It is where a support ends.
     Support,
-    /// It is where a corner of a body presses.
+    /// It is where a corner of a body presses, or at one of more than half a turn.
     Corner,
 }
 
@@ -41,7 +42,7 @@ impl Missing {
     ) -> Self {
         let Some(pair) = model.edges[edge].pair else {
             return Self {
-                hoop: is_at_support(model, edge, results).then_some(Cause::Support),
+                hoop: of_free_edge(model, edge, results),
                 ..Self::default()
             };
         };
@@ -89,20 +90,14 @@ impl Missing {
     }
 }
 
-/// Whether the largest stress along the edge with the index `edge`, which touches nothing, is in a cell at a place where stress has no bound.
-fn is_at_support(model: &Model, edge: usize, results: &EdgeResults) -> bool {
+/// Why the largest stress along the edge with the index `edge`, which touches nothing, has no limit.
+fn of_free_edge(model: &Model, edge: usize, results: &EdgeResults) -> Option<Cause> {
     let own = &model.edges[edge];
-    let Some(place) = Stated::PeakHoopPlace.value(results) else {
-        return false;
-    };
     let singular = &model.bodies[own.geometry.body].singular;
-    let near = own
-        .geometry
-        .parameter
-        .partition_point(|&at| at < place - f64::EPSILON * place.abs());
-    let cell = near.saturating_sub(own.order)..=near + own.order;
-    let mut nodes = own.nodes.iter().enumerate();
-    nodes.any(|(k, node)| cell.contains(&k) && singular.iter().any(|place| place.node() == *node))
+    Some(match own.unbounded_peak(singular, results)? {
+        Singular::Point(_) | Singular::End(_) => Cause::Support,
+        Singular::Corner { .. } => Cause::Corner,
+    })
 }
 
 /// Where slip leads away on both sides.

@@ -125,6 +125,17 @@ pub enum Finding {
         /// Load steps with such stresses.
         steps: Vec<usize>,
     },
+    /// The largest stress along an edge is at a corner of more than half a turn, grows with every finer division and has no limit.
+    NoLimitAtReentrantCorner {
+        /// The edge.
+        edge: String,
+        /// Load steps with such stresses.
+        steps: Vec<usize>,
+        /// Angle of the corner inside the body `[degree]`.
+        angle: f64,
+        /// Power of the distance from the corner with which stress grows, between −½ and 0, of an isotropic body.
+        exponent: Option<f64>,
+    },
     /// Forces on fasteners have a moment out of the plane.
     EccentricLayers {
         /// The fasteners.

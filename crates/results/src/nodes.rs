@@ -131,7 +131,7 @@ impl EdgeGeometry {
         Nodes::of(self).interpolated(rows, place)
     }
 
-    /// The larger errors of the nodes on both sides of a `place` of the edge's parameter, in the same order; `None` where none were estimated.
+    /// The larger errors `[MPa]` of the nodes on both sides of a `place` of the edge's parameter, of pressure, shear and stress along the edge; `None` where none were estimated.
     pub fn errors_at(&self, errors: &[RowErrors], place: f64) -> Option<[f64; 3]> {
         let [one, other] = Nodes::of(self).around(place).map(|node| {
             let own = errors.get(node)?;

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use stickslip_fem_core::element::edge_rule;
 use stickslip_fem_core::load::edge_load;
-use stickslip_fem_core::mesh::MeshError;
+use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
 use stickslip_scene::schema::{LoadKind, SetRef, SpringSupport};
 
 use super::plan::{Placed, Plan};
@@ -39,8 +40,8 @@ pub enum Measure {
         case: usize,
         /// Force of a multiplier of one `[N]`.
         force: f64,
-        /// Nodes with the weights of their displacements along x and y, whose sum along the load is one.
-        weights: Vec<(usize, [f64; 2])>,
+        /// Where displacements are taken, with weights along x and y whose sum along the load is one.
+        mean: Mean,
     },
     /// Of springs: their force follows from the mean displacement.
     Springs {
@@ -59,6 +60,33 @@ pub enum Measure {
         /// `[mm]`
         displacement: f64,
     },
+}
+
+/// A weighted mean of displacements.
+#[derive(Clone, Debug)]
+pub enum Mean {
+    /// Over nodes of the mesh, with weights along x and y.
+    Nodes(Vec<(usize, [f64; 2])>),
+    /// Over places `[mm]` of a body by series, which knows its displacement between nodes.
+    Places(Vec<(Point, [f64; 2])>),
+}
+
+impl Mean {
+    fn weights(&self) -> Vec<[f64; 2]> {
+        match self {
+            Self::Nodes(nodes) => nodes.iter().map(|own| own.1).collect(),
+            Self::Places(places) => places.iter().map(|own| own.1).collect(),
+        }
+    }
+
+    /// The x of its places on `mesh`.
+    fn abscissas(&self, mesh: &Mesh) -> Vec<f64> {
+        let of_node = |own: &(usize, [f64; 2])| Some(mesh.nodes().get(own.0)?[0]);
+        match self {
+            Self::Nodes(nodes) => nodes.iter().filter_map(of_node).collect(),
+            Self::Places(places) => places.iter().map(|own| own.0[0]).collect(),
+        }
+    }
 }
 
 /// All sets of `plan`, loads first; polar tractions and temperatures have no direction in which a displacement could be counted.
@@ -82,12 +110,15 @@ pub(super) fn all(
             body: body.name.clone(),
             cause,
         };
-        let (force, weights) = weights(body, case, on, kind, half).map_err(mesh_error)?;
+        let (force, nodes) = weights(body, case, on, kind, half).map_err(mesh_error)?;
+        let is_even = !matches!(load.of.kind, LoadKind::Bearing { .. });
+        let places = is_even.then(|| places(body, on, kind)).flatten();
+        let mean = places.map_or(Mean::Nodes(nodes), Mean::Places);
         let along = match kind {
             SetKind::Force { direction } | SetKind::Held { direction } => direction,
-            SetKind::Pressure => weights
-                .iter()
-                .fold([0.0; 2], |[x, y], (_, own)| [x + own[0], y + own[1]]),
+            SetKind::Pressure => {
+                (mean.weights().iter()).fold([0.0; 2], |[x, y], own| [x + own[0], y + own[1]])
+            }
         };
         sets.push(ModelSet {
             set: LoadedSet {
@@ -96,13 +127,10 @@ pub(super) fn all(
                 on: on.to_string(),
                 kind,
                 along,
-                reach: reach(body, weights.iter().map(|(node, _)| *node)),
+                reach: (body.elastic())
+                    .and_then(|own| extent(mean.abscissas(own.mesh()).into_iter())),
             },
-            measure: Measure::Load {
-                case,
-                force,
-                weights,
-            },
+            measure: Measure::Load { case, force, mean },
         });
     }
     let context = (plan, bodies, half);
@@ -220,6 +248,34 @@ fn weights(
     Ok((force, weights.collect()))
 }
 
+/// Where an evenly loaded edge of a body by series is asked, with weights along x and y: its straight pieces between nodes by Gauss's rule, since linear cells
+/// would miss what displacements do between them. `None` of other bodies, and of what is no edge.
+fn places(body: &ModelBody, on: &SetRef, kind: SetKind) -> Option<Vec<(Point, [f64; 2])>> {
+    body.series.as_ref()?;
+    let mesh = body.elastic()?.mesh();
+    let mut places = Vec::new();
+    for &edge in &mesh.edge_set(&on.set).ok()?.edges {
+        let [from, to] = mesh.edge_nodes(edge).ends.map(|node| mesh.nodes()[node]);
+        let [x, y] = [0, 1].map(|axis| to[axis] - from[axis]);
+        let length = x.hypot(y);
+        let towards = match kind {
+            SetKind::Force { direction } | SetKind::Held { direction } => direction,
+            SetKind::Pressure => [-y / length, x / length],
+        };
+        places.extend(edge_rule(1).iter().map(|&(xi, weight)| {
+            let part = f64::midpoint(1.0, xi);
+            let at = [from[0] + part * x, from[1] + part * y];
+            (at, towards.map(|own| 0.5 * weight * length * own))
+        }));
+    }
+    let size = |own: &(Point, [f64; 2])| own.1[0].hypot(own.1[1]);
+    let whole: f64 = places.iter().map(size).sum();
+    for (_, own) in &mut places {
+        *own = own.map(|part| part / whole);
+    }
+    Some(places)
+}
+
 /// The set of `body` on the springs `placed` along `direction`.
 fn sprung(
     body: &ModelBody,
@@ -291,7 +347,10 @@ fn held(
 /// Smallest and largest x `[mm]` of `nodes` of an elastic `body`; `None` of a rigid one, and without nodes.
 fn reach(body: &ModelBody, nodes: impl Iterator<Item = usize>) -> Option<[f64; 2]> {
     let places = body.elastic()?.mesh().nodes();
-    let mut along = nodes.filter_map(|node| Some(places.get(node)?[0]));
+    extent(nodes.filter_map(|node| Some(places.get(node)?[0])))
+}
+
+fn extent(mut along: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let first = along.next()?;
     Some(along.fold([first; 2], |[from, to], x| [from.min(x), to.max(x)]))
 }

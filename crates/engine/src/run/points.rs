@@ -1,6 +1,6 @@
 //! Sets whose displacement or force has no limit with finer cells: single points of elements give way by the more the smaller the cells are.
 
-use crate::model::{Measure, Model, ModelSet, parts};
+use crate::model::{Mean, Measure, Model, ModelSet, parts};
 use crate::results::{Finding, SetStated, StepResults};
 
 /// Part of the largest force on any set up to which a force is none.
@@ -69,7 +69,15 @@ impl<'a> Points<'a> {
 fn is_point(model: &Model, set: &ModelSet) -> bool {
     let body = &model.bodies[set.set.body];
     let nodes = match &set.measure {
-        Measure::Load { weights, .. } | Measure::Springs { weights, .. } => weights.len(),
+        Measure::Load {
+            mean: Mean::Nodes(nodes),
+            ..
+        } => nodes.len(),
+        Measure::Load {
+            mean: Mean::Places(places),
+            ..
+        } => places.len(),
+        Measure::Springs { weights, .. } => weights.len(),
         Measure::Held { nodes, .. } => nodes.as_ref().map_or(0, Vec::len),
     };
     body.elastic().is_some() && body.series.is_none() && nodes == 1

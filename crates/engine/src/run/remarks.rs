@@ -7,12 +7,13 @@ use stickslip_contact::zones::{Zone, ends_of_contact};
 
 use super::solved::Solved;
 use super::whole_motion::free_motions;
-use crate::model::{EdgeEnd, Model, ModelEdge};
+use crate::model::{EdgeEnd, Model, ModelEdge, Singular, corner_exponent};
 use crate::results::{
     BearingSource, ContactFinding, EdgeGeometry, EdgeKind, EdgeResults, FailedSolver, Finding,
     FreeBody, FreeMotion, FurtherSolvers, Quantity, StatusCycle, StepResults, UniquenessBound,
     wrapped,
 };
+use crate::series::is_isotropic;
 
 /// Angle `[rad]` by which the bearing point of a round contact may move in a history before it is reported.
 const WANDERS: f64 = 5.0 * std::f64::consts::PI / 180.0;
@@ -32,13 +33,15 @@ pub(super) fn of_steps(
         .chain(near_bound(steps))
         .collect();
     for (index, edge) in edges.iter().enumerate() {
+        let own: Vec<&EdgeResults> = steps.iter().map(|step| &step.edges[index]).collect();
         if edge.contact {
-            let own: Vec<&EdgeResults> = steps.iter().map(|step| &step.edges[index]).collect();
             let zones: Vec<&[Zone]> = own.iter().map(|step| &*step.zones).collect();
             let ModelEdge { fine_to, turn, .. } = model.edges[index];
             findings.extend(beyond_fine_zone(fine_to, turn, edge, &zones));
             findings.extend(at_ends(&model.edges[index], &own));
             findings.extend(wanders(edge, &own));
+        } else {
+            findings.extend(at_reentrant_corners(model, index, &own));
         }
     }
     findings
@@ -138,6 +141,26 @@ fn wanders(edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option<Finding> {
             largest_at: place(from),
         };
         Finding::about(&edge.name, found)
+    })
+}
+
+/// Where the largest stress along an edge without contact has no limit, because it is at a corner of more than half a turn.
+fn at_reentrant_corners(model: &Model, edge: usize, steps: &[&EdgeResults]) -> Option<Finding> {
+    let own = &model.edges[edge];
+    let body = &model.bodies[own.geometry.body];
+    let angle = |results: &EdgeResults| match own.unbounded_peak(&body.singular, results)? {
+        Singular::Corner { angle, .. } => Some(angle),
+        Singular::Point(_) | Singular::End(_) => None,
+    };
+    let steps_there = steps_where(steps, |results| angle(results).is_some())?;
+    let angle = steps.iter().find_map(|results| angle(results))?;
+    let materials = body.elastic()?.materials();
+    let is_isotropic = materials.iter().all(|own| is_isotropic(&own.stiffness()));
+    Some(Finding::NoLimitAtReentrantCorner {
+        edge: own.geometry.name.clone(),
+        steps: steps_there,
+        angle: angle.to_degrees(),
+        exponent: is_isotropic.then(|| corner_exponent(angle)),
     })
 }
 

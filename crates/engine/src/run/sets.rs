@@ -2,10 +2,11 @@
 
 use stickslip_contact::StepRecord;
 use stickslip_fem_core::body::BodyLoad;
+use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
 use super::solved::{Operator, Solved};
-use crate::model::{Measure, Model, ModelSet};
+use crate::model::{Mean, Measure, Model, ModelSet};
 use crate::results::{SetKind, SetMotion};
 use crate::series::SeriesBody;
 
@@ -15,6 +16,8 @@ struct Moved<'a> {
     body: usize,
     /// Displacement `[mm]` of a node of its mesh with its rigid motion.
     at: &'a dyn Fn(usize) -> [f64; 2],
+    /// The same at a place; those of elements have none.
+    at_place: &'a dyn Fn(Point) -> [f64; 2],
     /// Reaction `[N]` of its supports at a node of its mesh.
     reaction: &'a dyn Fn(usize) -> [f64; 2],
     /// Reaction `[N]` of what holds it as a whole.
@@ -32,22 +35,29 @@ impl Moved<'_> {
     }
 
     /// Weighted mean of displacements `[mm]`.
-    fn mean(&self, weights: &[(usize, [f64; 2])]) -> f64 {
-        let along = weights.iter().map(|&(node, weight)| {
-            let moved = (self.at)(node);
-            weight[0] * moved[0] + weight[1] * moved[1]
-        });
-        along.sum()
+    fn mean(&self, mean: &Mean) -> f64 {
+        match mean {
+            Mean::Nodes(nodes) => self.mean_of_nodes(nodes),
+            Mean::Places(places) => {
+                let along = |&(place, weight)| part((self.at_place)(place), weight);
+                places.iter().map(along).sum()
+            }
+        }
+    }
+
+    fn mean_of_nodes(&self, weights: &[(usize, [f64; 2])]) -> f64 {
+        let along = |&(node, weight)| part((self.at)(node), weight);
+        weights.iter().map(along).sum()
     }
 
     fn motion(&self, record: &StepRecord, set: &ModelSet) -> SetMotion {
         match &set.measure {
-            Measure::Load { weights, .. } => SetMotion {
+            Measure::Load { mean, .. } => SetMotion {
                 force: force(set, record),
-                displacement: self.mean(weights),
+                displacement: self.mean(mean),
             },
             Measure::Springs { weights, stiffness } => {
-                let displacement = self.mean(weights);
+                let displacement = self.mean_of_nodes(weights);
                 SetMotion {
                     force: -stiffness * displacement,
                     displacement,
@@ -58,13 +68,12 @@ impl Moved<'_> {
                 along,
                 displacement,
             } => {
-                let part = |[x, y]: [f64; 2], along: &[f64; 2]| along[0] * x + along[1] * y;
                 let force = nodes.as_ref().map_or_else(
-                    || part(self.whole, along),
+                    || part(self.whole, *along),
                     |nodes| {
                         let parts = nodes.iter();
                         parts
-                            .map(|(node, own)| part((self.reaction)(*node), own))
+                            .map(|&(node, own)| part((self.reaction)(node), own))
                             .sum()
                     },
                 );
@@ -75,6 +84,10 @@ impl Moved<'_> {
             }
         }
     }
+}
+
+fn part([x, y]: [f64; 2], along: [f64; 2]) -> f64 {
+    along[0] * x + along[1] * y
 }
 
 /// Force `[N]` of the load on `set`, zero of what is held.
@@ -123,6 +136,7 @@ pub(super) fn of_rigid(
     Moved {
         body: index,
         at: &|_| moved,
+        at_place: &|_| moved,
         reaction: &|_| [0.0; 2],
         whole: whole_reaction(model, index, record, &forces),
     }
@@ -143,6 +157,7 @@ pub(super) fn of_elastic(
     Moved {
         body: index,
         at: &|node| [at(node, 0), at(node, 1)],
+        at_place: &|_| [0.0; 2],
         reaction: &|node| [residual[2 * node], residual[2 * node + 1]],
         whole: body.section_reaction(state),
     }
@@ -163,13 +178,15 @@ pub(super) fn of_series(
         return;
     };
     let places = own.mesh().nodes();
+    let at = |place: Point| {
+        let strained = field.displacement(place).unwrap_or_default();
+        let rigid = body.rigid_displacements(motions, &[place]);
+        [0, 1].map(|axis| strained[axis] + rigid[axis])
+    };
     Moved {
         body: index,
-        at: &|node| {
-            let strained = field.displacement(places[node]).unwrap_or_default();
-            let rigid = body.rigid_displacements(motions, &places[node..=node]);
-            [0, 1].map(|axis| strained[axis] + rigid[axis])
-        },
+        at: &|node| at(places[node]),
+        at_place: &at,
         reaction: &|_| [0.0; 2],
         whole: whole_reaction(model, index, record, forces),
     }

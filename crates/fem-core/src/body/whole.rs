@@ -40,7 +40,7 @@ impl CondensedBody {
     }
 
     /// Displacements u_s `[length]` of the contact points, xy interleaved, that supports prescribe under load cases times
-    /// `multipliers`.
+    /// `multipliers`, one per load case `[1]`.
     pub fn prescribed_motion(&self, multipliers: &[f64]) -> Vec<f64> {
         let structure = self.structure();
         let cases = self.body().load_cases().iter().zip(multipliers);

@@ -10,6 +10,7 @@ use super::{Contour, Hole, Loop};
 use crate::curve::Track;
 use crate::meet;
 use crate::outline::Outline;
+use crate::size::REENTRANT;
 use crate::vector::distance;
 use crate::{ContourError, Course, SplineFlaw};
 
@@ -39,6 +40,17 @@ impl Contour {
     /// The first defect found, of [`ContourError`]: numbers, names, lengths, closure, direction, crossings, cusps, holes.
     pub fn check(&self) -> Result<(), ContourError> {
         checked(self).map(|_| ())
+    }
+
+    /// Corners of the outline and of cut-outs at which the body reaches over more than half a turn, each with its inner angle `[rad]`; none of a
+    /// contour whose pieces make no loops. Stress in an elastic body has no limit there (Williams, J. Appl. Mech. 19 (1952) 526–528).
+    pub fn reentrant_corners(&self) -> Vec<(Point, f64)> {
+        let Ok(outline) = resolved(self) else {
+            return Vec::new();
+        };
+        let pieces = 0..outline.tracks.len();
+        let corners = pieces.map(|k| (outline.tracks[k].from, outline.angle(k)));
+        corners.filter(|own| own.1 > REENTRANT).collect()
     }
 }
 

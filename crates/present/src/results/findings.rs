@@ -86,6 +86,12 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section.",
             load_steps(steps)
         ),
+        Finding::NoLimitAtReentrantCorner {
+            edge,
+            steps,
+            angle,
+            exponent,
+        } => points::reentrant(edge, &load_steps(steps), *angle, *exponent),
         Finding::EccentricLayers { fasteners } => format!(
             "Plates pull at {} at different heights: the moment of these forces would bend plates and fasteners out of the plane, as in every single \
              lap. It is stated as tilting moment and resisted by nothing here, so pressure is even across each plate and no plate gives by bending.",

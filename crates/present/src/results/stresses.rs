@@ -13,8 +13,8 @@ const ROUNDING: f64 = 1e-12;
 
 /// What the table says of its places.
 pub(super) const NOTE: &str = "At the nodes of the elastic bodies, each in the step with its largest von Mises stress: of bodies with a yield stress among all steps, of \
-                    others among those with fields. Around held points, within two fifths of the body's smaller side, and ends of supported edges, within a twentieth, \
-                    stresses have no bound and are left out.";
+                    others among those with fields. Around held points, within two fifths of the body's smaller side, and ends of supported edges and \
+                    corners of more than half a turn, within a twentieth, stresses have no bound and are left out.";
 
 /// The largest stresses of every body, in the step with its largest von Mises stress; `None` where no step has stresses.
 pub(super) fn table(results: &Results) -> Option<Table> {

@@ -128,11 +128,11 @@ fn halved(values: &[f64]) -> Vec<f64> {
 /// Equal spacing, and optionally coarser beyond some distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grading {
-    /// Spacing of corner nodes.
+    /// Spacing of corner nodes `[rad or mm]`.
     pub spacing: f64,
-    /// Up to where, measured from the bearing point; everywhere if `None`.
+    /// Up to where, measured from the bearing point `[rad or mm]`; everywhere if `None`.
     pub fine_to: Option<f64>,
-    /// Spacing that it grows to beyond; chosen by the generator if `None`.
+    /// Spacing that it grows to beyond `[rad or mm]`; chosen by the generator if `None`.
     pub coarse_spacing: Option<f64>,
 }
 

@@ -72,6 +72,11 @@ pub trait Outline: fmt::Debug {
         None
     }
 
+    /// Corners at which the body reaches over more than half a turn, each with its inner angle `[rad]`, in the coordinates of the shape.
+    fn reentrant_corners(&self) -> Vec<(Point, f64)> {
+        Vec::new()
+    }
+
     /// Number of nodes of the point `name`: more than one in a mesh from a file.
     fn nodes_of_point(&self, _name: &str) -> usize {
         1

@@ -136,6 +136,10 @@ impl Outline for Profile {
         }
     }
 
+    fn reentrant_corners(&self) -> Vec<(Point, f64)> {
+        self.contour.reentrant_corners()
+    }
+
     fn refinement(&self) -> f64 {
         self.refine.iter().copied().fold(1.0, f64::max)
     }

@@ -47,7 +47,9 @@ pub fn run(
     let pools = (0..jobs.get())
         .map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).build())
         .collect::<Result<Vec<ThreadPool>, _>>()
-        .map_err(|cause| SweepError::Workers { cause })?;
+        .map_err(|cause| SweepError::Workers {
+            cause: cause.into(),
+        })?;
     let plans: BTreeMap<usize, Vec<String>> = cases
         .iter()
         .map(|&case| (case, keys(sweep, case)))

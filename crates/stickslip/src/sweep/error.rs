@@ -49,6 +49,6 @@ pub enum SweepError {
     Workers {
         /// Its reason.
         #[source]
-        cause: rayon::ThreadPoolBuildError,
+        cause: Box<dyn std::error::Error + Send + Sync>,
     },
 }

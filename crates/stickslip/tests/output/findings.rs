@@ -122,6 +122,12 @@ fn of_bodies() -> Vec<Finding> {
             edge: "plate.bottom".into(),
             steps: steps.clone(),
         },
+        Finding::NoLimitAtReentrantCorner {
+            edge: "plate.inner".into(),
+            steps: steps.clone(),
+            angle: 270.0,
+            exponent: Some(-0.4555),
+        },
         Finding::AccuracyMissed {
             number: "peak tangential stress",
             error: 0.0662,

@@ -1,4 +1,6 @@
-//! What single points that are held or loaded do to displacements.
+//! What single points that are held or loaded do to displacements, and corners to stress.
+
+use stickslip_text::significant;
 
 /// `quoted` are the bodies `bodies`.
 pub(super) fn supports(quoted: &str, bodies: &[String]) -> String {
@@ -40,4 +42,19 @@ pub(super) fn loads(quoted: &str) -> String {
 fn remedy(bodies: &[String]) -> String {
     let body = bodies.first().map_or("pin", String::as_str);
     format!("Hold a pin over its section (on = \"{body}.section\").")
+}
+
+/// The largest stress along `edge` at a corner of `angle` inside the body `[degree]`.
+pub(super) fn reentrant(edge: &str, steps: &str, angle: f64, exponent: Option<f64>) -> String {
+    let power = exponent.map_or_else(String::new, |power| {
+        format!(
+            " like r^{}, r being the distance from it",
+            significant(power, 3)
+        )
+    });
+    format!(
+        "The peak tangential stress along {edge} in {steps} is at a corner of {}°, towards which stress grows without limit{power}: the value is that of \
+         this division, without an error. Round the corner to get a limit.",
+        significant(angle, 4)
+    )
 }
