@@ -54,7 +54,7 @@ use meshes::Meshes;
 use plan::Plan;
 pub use plan::Seat;
 pub use sets::{Mean, Measure, ModelSet};
-pub use singular::{Singular, corner_exponent};
+pub use singular::{ReentrantCorner, Singular};
 
 /// What is known of a contact beside its points.
 #[derive(Clone, Copy, Debug)]
@@ -151,6 +151,8 @@ impl Model {
                 name: own.name.to_owned(),
                 across: own.shape.mirror().filter(|_| half),
                 singular,
+                corners: (meshes.get(&index))
+                    .map_or_else(Vec::new, |mesh| singular::corners(&plan, index, mesh)),
                 yield_stress: own.elastic.and_then(|own| own.material.yield_stress()),
                 kind: loads::body(&plan, index, &meshes, &materials, half, &points)?,
                 interface,

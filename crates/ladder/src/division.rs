@@ -247,13 +247,28 @@ fn factor(stated: Stated, nodes: Spaced) -> f64 {
             Stated::StickExtent | Stated::SlipAway | Stated::SlipTowards | Stated::PeakHoop => 1.5,
             Stated::PeakPressure => 2.0,
             Stated::HoopAtBearing => 2.2,
-            _ => 1.0,
+            Stated::Bearing
+            | Stated::PeakPressurePlace
+            | Stated::NormalForce
+            | Stated::ResultantX
+            | Stated::ResultantY
+            | Stated::FrictionWork => 1.0,
         };
     }
     match stated {
         Stated::HoopAtBearing | Stated::ContactExtent => 1.5,
         Stated::PeakHoop => 2.5,
-        stated if stated.is_of_nodes() => 2.0,
-        _ => 1.0,
+        Stated::StickExtent
+        | Stated::PeakPressurePlace
+        | Stated::PeakHoopPlace
+        | Stated::SlipAway
+        | Stated::SlipTowards => 2.0,
+        Stated::Bearing
+        | Stated::PeakPressure
+        | Stated::FrictionForce
+        | Stated::NormalForce
+        | Stated::ResultantX
+        | Stated::ResultantY
+        | Stated::FrictionWork => 1.0,
     }
 }

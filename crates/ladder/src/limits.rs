@@ -3,11 +3,11 @@
 //! Where the friction of two neighbouring points differs by a jump, the tangential stress between them is infinite like the logarithm of the distance:
 //! at a place from where slip leads away on both sides without a stick zone, and at an end of stick where friction drops when slip begins.
 //! With bodies of unlike elasticity the pressure is infinite there too. At an end of a supported edge, at a point that is held, and at a
-//! corner of more than half a turn, stress is infinite without any contact.
+//! re-entrant corner, stress is infinite without any contact.
 
 use stickslip_contact::{Contacts, Status, StepRecord};
 
-use stickslip_engine::model::{Model, Singular};
+use stickslip_engine::model::Model;
 use stickslip_engine::results::{EdgeGeometry, EdgeResults, EdgeRow, Stated};
 
 /// Which numbers of an edge in a step have no limit.
@@ -28,7 +28,7 @@ enum Cause {
     Friction,
     /// It is where a support ends.
     Support,
-    /// It is where a corner of a body presses, or at one of more than half a turn.
+    /// It is where a corner of a body presses, or at a re-entrant one.
     Corner,
 }
 
@@ -85,7 +85,17 @@ impl Missing {
             Stated::HoopAtBearing => self.bearing,
             Stated::PeakHoop | Stated::PeakHoopPlace => self.hoop.is_some(),
             Stated::PeakPressure => self.pressure,
-            _ => false,
+            Stated::ContactExtent
+            | Stated::StickExtent
+            | Stated::Bearing
+            | Stated::PeakPressurePlace
+            | Stated::FrictionForce
+            | Stated::NormalForce
+            | Stated::ResultantX
+            | Stated::ResultantY
+            | Stated::SlipAway
+            | Stated::SlipTowards
+            | Stated::FrictionWork => false,
         }
     }
 }
@@ -93,11 +103,11 @@ impl Missing {
 /// Why the largest stress along the edge with the index `edge`, which touches nothing, has no limit.
 fn of_free_edge(model: &Model, edge: usize, results: &EdgeResults) -> Option<Cause> {
     let own = &model.edges[edge];
-    let singular = &model.bodies[own.geometry.body].singular;
-    Some(match own.unbounded_peak(singular, results)? {
-        Singular::Point(_) | Singular::End(_) => Cause::Support,
-        Singular::Corner { .. } => Cause::Corner,
-    })
+    let body = &model.bodies[own.geometry.body];
+    let support = own.peaks_at(&body.singular, results);
+    let corner = || own.corner_at_peak(&body.corners, results);
+    let support = support.then_some(Cause::Support);
+    support.or_else(|| corner().map(|_| Cause::Corner))
 }
 
 /// Where slip leads away on both sides.

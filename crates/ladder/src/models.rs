@@ -149,14 +149,14 @@ impl<'a> Models<'a> {
 
     /// Indices of the bodies of `model` of which finer models have smaller cells in some places alone: where nodes are graded.
     pub(super) fn uneven(&self, model: &Model) -> Vec<usize> {
+        if !self.is_graded() {
+            return Vec::new();
+        }
         let is_meshed = |&body: &usize| {
             let own = &model.bodies[body];
             own.elastic().is_some() && own.series.is_none()
         };
-        let bodies = 0..model.bodies.len();
-        bodies
-            .filter(|body| self.is_graded() && is_meshed(body))
-            .collect()
+        (0..model.bodies.len()).filter(is_meshed).collect()
     }
 
     /// How nodes are spaced.
@@ -349,6 +349,7 @@ impl<'a> Models<'a> {
                 None => scene.analysis.contact_nodes = Some((INTERVALS << rung) + 1),
             },
             Division::Elements => {
+                each_mesh(scene, coarsest);
                 (0..rung).for_each(|_| each_mesh(scene, MeshSettings::finer));
             }
             Division::Pinned => {
@@ -393,6 +394,14 @@ fn cells(scene: &Scene) -> String {
     };
     let names: BTreeSet<&str> = scene.bodies.values().map(kind).collect();
     names.into_iter().collect::<Vec<_>>().join(" and ")
+}
+
+/// With fewer cells of outlines where no edge rules: finer ones than usual pay from the second model on.
+fn coarsest(own: &MeshSettings) -> MeshSettings {
+    MeshSettings {
+        fineness: 0.5 * own.fineness,
+        ..own.clone()
+    }
 }
 
 fn each_mesh(scene: &mut Scene, change: fn(&MeshSettings) -> MeshSettings) {

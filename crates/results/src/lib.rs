@@ -1,4 +1,4 @@
-//! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
+//! What a run yields, in base units (mm, N, MPa, rad) but for values of loads, which have the unit of their scene: the source of every table, file and figure.
 
 mod bypass;
 mod displacement;
@@ -177,7 +177,7 @@ pub struct StepResults {
     pub work: Work,
     /// Names of the solvers that found its increments.
     pub solvers: Vec<&'static str>,
-    /// Increments and cut-backs.
+    /// Increments that it was divided into.
     pub increments: usize,
     /// Increments that failed and were halved.
     pub cutbacks: usize,

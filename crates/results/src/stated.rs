@@ -3,61 +3,80 @@
 use serde::Serialize;
 use stickslip_scene::schema::{Accuracy, RelativeError};
 
-/// A number of an edge at the end of a load step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Stated {
+/// What must be known of a number to estimate its error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Nature {
+    /// It is that of a node, and so known to half of their spacing at best.
+    OfNodes,
+    /// A fit between nodes gives it, where there is one.
+    Fitted,
+    /// It is zero where the bodies do not touch, or do not where they bear.
+    Vanishes,
+}
+
+/// The numbers, each with what it is for a reader and its nature.
+macro_rules! stated {
+    ($($(#[$doc:meta])* $name:ident: $text:literal, $nature:expr;)*) => {
+        /// A number of an edge at the end of a load step.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Stated {
+            $($(#[$doc])* $name,)*
+        }
+
+        impl Stated {
+            /// All of them.
+            pub const ALL: [Self; [$($text),*].len()] = [$(Self::$name),*];
+
+            /// What it is, for a reader.
+            pub fn describe(self) -> &'static str {
+                match self {
+                    $(Self::$name => $text,)*
+                }
+            }
+
+            fn nature(self) -> &'static [Nature] {
+                match self {
+                    $(Self::$name => &$nature,)*
+                }
+            }
+        }
+    };
+}
+
+stated! {
     /// Half of the extent of contact `[rad or mm]`.
-    ContactExtent,
+    ContactExtent: "extent of contact", [Nature::Fitted, Nature::Vanishes];
     /// Half of the extent of the stick zone around the bearing point `[rad or mm]`.
-    StickExtent,
+    StickExtent: "extent of stick", [Nature::OfNodes, Nature::Vanishes];
     /// Place of the bearing point `[rad or mm]`.
-    Bearing,
+    Bearing: "bearing point", [];
     /// Largest pressure `[MPa]`.
-    PeakPressure,
+    PeakPressure: "peak pressure", [Nature::Vanishes];
     /// Its place `[rad or mm]`.
-    PeakPressurePlace,
+    PeakPressurePlace: "place of the peak pressure", [Nature::OfNodes];
     /// Largest tangential stress `[MPa]`.
-    PeakHoop,
+    PeakHoop: "peak tangential stress", [Nature::Fitted];
     /// Its place `[rad or mm]`.
-    PeakHoopPlace,
+    PeakHoopPlace: "place of the peak tangential stress", [Nature::OfNodes];
     /// Tangential stress at the bearing point `[MPa]`.
-    HoopAtBearing,
+    HoopAtBearing: "tangential stress at the bearing point", [];
     /// Friction force `[N]`.
-    FrictionForce,
+    FrictionForce: "friction force", [];
     /// Normal force `[N]`.
-    NormalForce,
+    NormalForce: "normal force", [];
     /// Component x of the resultant `[N]`.
-    ResultantX,
+    ResultantX: "resultant in x", [];
     /// Component y of the resultant `[N]`.
-    ResultantY,
+    ResultantY: "resultant in y", [];
     /// Length of the zones that slip away from the bearing point `[rad or mm]`.
-    SlipAway,
+    SlipAway: "extent of slip away from the bearing point", [Nature::OfNodes, Nature::Vanishes];
     /// Length of the zones that slip towards it `[rad or mm]`.
-    SlipTowards,
+    SlipTowards: "extent of slip towards the bearing point", [Nature::OfNodes, Nature::Vanishes];
     /// Work of friction in the step `[N·mm]`.
-    FrictionWork,
+    FrictionWork: "work of friction", [];
 }
 
 impl Stated {
-    /// All of them.
-    pub const ALL: [Self; 15] = [
-        Self::ContactExtent,
-        Self::StickExtent,
-        Self::Bearing,
-        Self::PeakPressure,
-        Self::PeakPressurePlace,
-        Self::PeakHoop,
-        Self::PeakHoopPlace,
-        Self::HoopAtBearing,
-        Self::FrictionForce,
-        Self::NormalForce,
-        Self::ResultantX,
-        Self::ResultantY,
-        Self::SlipAway,
-        Self::SlipTowards,
-        Self::FrictionWork,
-    ];
-
     /// Those whose relative error an accuracy bounds that names none.
     pub const ASKED: [Self; 4] = [
         Self::PeakPressure,
@@ -87,52 +106,17 @@ impl Stated {
 
     /// Whether it is that of a node, and so known to half of their spacing at best.
     pub fn is_of_nodes(self) -> bool {
-        matches!(
-            self,
-            Self::StickExtent
-                | Self::PeakPressurePlace
-                | Self::PeakHoopPlace
-                | Self::SlipAway
-                | Self::SlipTowards
-        )
+        self.nature().contains(&Nature::OfNodes)
     }
 
     /// Whether a fit between nodes gives it, where there is one.
     pub fn is_fitted(self) -> bool {
-        matches!(self, Self::PeakHoop | Self::ContactExtent)
+        self.nature().contains(&Nature::Fitted)
     }
 
     /// Whether it is zero where the bodies do not touch, or do not where they bear.
     pub fn vanishes(self) -> bool {
-        matches!(
-            self,
-            Self::ContactExtent
-                | Self::StickExtent
-                | Self::PeakPressure
-                | Self::SlipAway
-                | Self::SlipTowards
-        )
-    }
-
-    /// What it is, for a reader.
-    pub fn describe(self) -> &'static str {
-        match self {
-            Self::ContactExtent => "extent of contact",
-            Self::StickExtent => "extent of stick",
-            Self::Bearing => "bearing point",
-            Self::PeakPressure => "peak pressure",
-            Self::PeakPressurePlace => "place of the peak pressure",
-            Self::PeakHoop => "peak tangential stress",
-            Self::PeakHoopPlace => "place of the peak tangential stress",
-            Self::HoopAtBearing => "tangential stress at the bearing point",
-            Self::FrictionForce => "friction force",
-            Self::NormalForce => "normal force",
-            Self::ResultantX => "resultant in x",
-            Self::ResultantY => "resultant in y",
-            Self::SlipAway => "extent of slip away from the bearing point",
-            Self::SlipTowards => "extent of slip towards the bearing point",
-            Self::FrictionWork => "work of friction",
-        }
+        self.nature().contains(&Nature::Vanishes)
     }
 }
 

@@ -10,15 +10,18 @@
 //!
 //! | dimension         | units                          |
 //! |-------------------|--------------------------------|
-//! | length            | m, cm, mm, um (µm), in, ft, mil |
+//! | length            | m, cm, mm, um (µm), nm, in, ft, mil |
 //! | force             | N, kN, MN, lbf (lb), kip       |
 //! | stress            | Pa, kPa, MPa, GPa, psi, ksi, Msi |
 //! | angle             | deg, rad                       |
 //! | temperature       | K, degC, degF                  |
 //! | per temperature   | 1/K, 1/degC, 1/degF (or /K, …)  |
+//! | fracture energy   | N/mm, kJ/m2, J/m2, lbf/in       |
 //! | per length        | 1/mm, 1/cm, 1/m, 1/um, 1/in     |
 //! | spring stiffness  | N/mm, kN/mm, N/m, kN/m, lbf/in, kip/in |
 //! | bed stiffness     | N/mm3, MPa/mm, MPa/m, lbf/in3, psi/in |
+//!
+//! N/mm and lbf/in belong to two dimensions: a quantity has the one that its place expects, and a fracture energy where either does.
 //!
 //! ```
 //! use stickslip_units::{Dimension, Expected, parse};

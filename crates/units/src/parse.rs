@@ -8,7 +8,7 @@ use thiserror::Error;
 use super::unit::unit_called;
 use super::{Dimension, UNITS, Unit};
 
-/// The dimensions that fit in one place of a scene: one, or one of two.
+/// The dimensions that fit in one place: one, or one of several.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Expected(Vec<Dimension>);
 

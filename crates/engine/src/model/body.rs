@@ -5,7 +5,7 @@ use std::sync::Arc;
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::{CondensedBody, ElasticBody, RigidBody};
 
-use super::singular::Singular;
+use super::singular::{ReentrantCorner, Singular};
 use crate::series::SeriesBody;
 
 /// A body ready to be condensed.
@@ -23,6 +23,8 @@ pub struct ModelBody {
     pub across: Option<usize>,
     /// Where its stresses have no bound.
     pub singular: Vec<Singular>,
+    /// Its re-entrant corners, towards which stress has no limit either.
+    pub corners: Vec<ReentrantCorner>,
     /// Von Mises stress at which its material yields `[MPa]`, where the scene gives one.
     pub yield_stress: Option<f64>,
     /// Its operator where it is a series, ready; its mesh is then the places where fields are shown.

@@ -272,6 +272,7 @@ fn division(plan: &Plan<'_>, scene: &Scene, index: usize) -> MeshSettings {
     MeshSettings {
         element: ElementKind::Q4,
         layers: None,
+        fineness: own.fineness,
         ..given
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use stickslip_fem_core::element::edge_rule;
 use stickslip_fem_core::load::edge_load;
-use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
+use stickslip_fem_core::mesh::{MeshError, Point};
 use stickslip_scene::schema::{LoadKind, SetRef, SpringSupport};
 
 use super::plan::{Placed, Plan};
@@ -78,15 +78,6 @@ impl Mean {
             Self::Places(places) => places.iter().map(|own| own.1).collect(),
         }
     }
-
-    /// The x of its places on `mesh`.
-    fn abscissas(&self, mesh: &Mesh) -> Vec<f64> {
-        let of_node = |own: &(usize, [f64; 2])| Some(mesh.nodes().get(own.0)?[0]);
-        match self {
-            Self::Nodes(nodes) => nodes.iter().filter_map(of_node).collect(),
-            Self::Places(places) => places.iter().map(|own| own.0[0]).collect(),
-        }
-    }
 }
 
 /// All sets of `plan`, loads first; polar tractions and temperatures have no direction in which a displacement could be counted.
@@ -113,6 +104,7 @@ pub(super) fn all(
         let (force, nodes) = weights(body, case, on, kind, half).map_err(mesh_error)?;
         let is_even = !matches!(load.of.kind, LoadKind::Bearing { .. });
         let places = is_even.then(|| places(body, on, kind)).flatten();
+        let reach = reach(body, nodes.iter().map(|(node, _)| *node));
         let mean = places.map_or(Mean::Nodes(nodes), Mean::Places);
         let along = match kind {
             SetKind::Force { direction } | SetKind::Held { direction } => direction,
@@ -127,8 +119,7 @@ pub(super) fn all(
                 on: on.to_string(),
                 kind,
                 along,
-                reach: (body.elastic())
-                    .and_then(|own| extent(mean.abscissas(own.mesh()).into_iter())),
+                reach,
             },
             measure: Measure::Load { case, force, mean },
         });
@@ -347,10 +338,7 @@ fn held(
 /// Smallest and largest x `[mm]` of `nodes` of an elastic `body`; `None` of a rigid one, and without nodes.
 fn reach(body: &ModelBody, nodes: impl Iterator<Item = usize>) -> Option<[f64; 2]> {
     let places = body.elastic()?.mesh().nodes();
-    extent(nodes.filter_map(|node| Some(places.get(node)?[0])))
-}
-
-fn extent(mut along: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let mut along = nodes.filter_map(|node| Some(places.get(node)?[0]));
     let first = along.next()?;
     Some(along.fold([first; 2], |[from, to], x| [from.min(x), to.max(x)]))
 }

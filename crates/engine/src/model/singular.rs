@@ -1,6 +1,6 @@
 //! Places of a body where stresses of the linear model have no bound.
 
-use stickslip_fem_core::mesh::{Mesh, MeshError};
+use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
 use stickslip_scene::schema::LoadKind;
 
 use super::edge::ModelEdge;
@@ -8,62 +8,108 @@ use super::plan::Plan;
 use crate::results::EdgeResults;
 
 /// A place where stresses have no bound.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Singular {
     /// The node of a held point, of one on a spring, or of one that a force acts on, whose reaction is a concentrated force.
     Point(usize),
     /// The node at the end of a supported edge or of a platen.
     End(usize),
-    /// A corner of the body of more than half a turn.
-    Corner {
-        /// The node.
-        node: usize,
-        /// Angle inside the body, between π and 2π `[rad]`.
-        angle: f64,
-    },
 }
 
 impl Singular {
     /// The node.
     pub fn node(self) -> usize {
         match self {
-            Self::Point(node) | Self::End(node) | Self::Corner { node, .. } => node,
+            Self::Point(node) | Self::End(node) => node,
         }
     }
 }
 
-/// λ − 1 of the stress r^(λ − 1) that grows fastest towards a free corner of the inner `angle` `[rad]`, between π and 2π, of an isotropic body
-/// whose sides are opened symmetrically:
-///
-/// ```text
-/// sin(λ ω) + λ sin ω = 0,   ½ ≤ λ < 1
-/// ```
-///
-/// Source: Williams, J. Appl. Mech. 19 (1952) 526–528.
-pub fn corner_exponent(angle: f64) -> f64 {
-    let (mut low, mut high) = (0.5, 1.0);
-    for _ in 0..f64::MANTISSA_DIGITS {
-        let middle = f64::midpoint(low, high);
-        if (middle * angle).sin() + middle * angle.sin() > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
+/// A re-entrant corner of a body, towards which stress has no limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReentrantCorner {
+    /// The node.
+    pub node: usize,
+    /// Angle inside the body, between π and 2π `[rad]`.
+    pub angle: f64,
+}
+
+impl ReentrantCorner {
+    /// λ − 1 of the stress r^(λ − 1) that grows fastest towards it in an isotropic body with free sides, opened symmetrically:
+    ///
+    /// ```text
+    /// sin(λ ω) + λ sin ω = 0,   ½ ≤ λ < 1
+    /// ```
+    ///
+    /// Source: Williams, J. Appl. Mech. 19 (1952) 526–528.
+    pub fn exponent(self) -> f64 {
+        let (mut low, mut high) = (0.5, 1.0);
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let middle = f64::midpoint(low, high);
+            if (middle * self.angle).sin() + middle * self.angle.sin() > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
+        low - 1.0
     }
-    low - 1.0
 }
 
 impl ModelEdge {
-    /// Where among `singular`, places of its body, its largest tangential stress is; `None` where that has a limit.
-    pub fn unbounded_peak(&self, singular: &[Singular], results: &EdgeResults) -> Option<Singular> {
+    /// Positions of its nodes in the cells beside its largest tangential stress.
+    fn beside_peak(&self, results: &EdgeResults) -> Option<std::ops::RangeInclusive<usize>> {
         let (_, place) = results.peak_hoop?;
         let near = (self.geometry.parameter)
             .partition_point(|&at| at < place - f64::EPSILON * place.abs());
-        let cell = near.saturating_sub(self.order)..=near + self.order;
-        let nodes = self.nodes.iter().enumerate();
-        let mut nodes = nodes.filter(|(k, _)| cell.contains(k));
-        nodes.find_map(|(_, &node)| singular.iter().find(|own| own.node() == node).copied())
+        let last = self.nodes.len().checked_sub(1)?;
+        Some(near.saturating_sub(self.order)..=(near + self.order).min(last))
     }
+
+    /// Whether its largest tangential stress is beside one of `places`, those of its body.
+    pub fn peaks_at(&self, places: &[Singular], results: &EdgeResults) -> bool {
+        let mut beside = self.beside_peak(results).into_iter().flatten();
+        beside.any(|k| places.iter().any(|place| place.node() == self.nodes[k]))
+    }
+
+    /// Which of `corners`, those of its body, its largest tangential stress is beside, where stress grows towards it: a node at a corner that is pressed
+    /// has a stress of the other sign than its neighbours.
+    pub fn corner_at_peak(
+        &self,
+        corners: &[ReentrantCorner],
+        results: &EdgeResults,
+    ) -> Option<ReentrantCorner> {
+        let rows = &results.rows;
+        let pulls = |k: usize| {
+            let neighbours = [k.checked_sub(self.order), Some(k + self.order)];
+            let mut neighbours = neighbours.into_iter().flatten().filter_map(|k| rows.get(k));
+            neighbours.any(|row| row.sigma_tangential > 0.0)
+        };
+        let at = |k: usize| {
+            let corner = corners.iter().find(|own| own.node == self.nodes[k])?;
+            pulls(k).then_some(*corner)
+        };
+        self.beside_peak(results)?.find_map(at)
+    }
+}
+
+/// Re-entrant corners of the body with the index `body`, which its mesh has as nodes.
+pub(super) fn corners(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Vec<ReentrantCorner> {
+    let own = &plan.bodies[body];
+    let [x, y] = own.centre;
+    let nearest = |at: Point| {
+        let apart = |node: &usize| {
+            let [u, v] = mesh.nodes()[*node];
+            (u - at[0]).hypot(v - at[1])
+        };
+        (0..mesh.nodes().len()).min_by(|a, b| apart(a).total_cmp(&apart(b)))
+    };
+    let corners = own.shape.reentrant_corners().into_iter();
+    let corner = |([u, v], angle): (Point, f64)| {
+        let node = nearest([x + u, y + v])?;
+        Some(ReentrantCorner { node, angle })
+    };
+    corners.filter_map(corner).collect()
 }
 
 /// Those of the body with the index `body`.
@@ -105,25 +151,5 @@ pub(super) fn places(
             places.extend(ends.map(|&node| Singular::End(node)));
         }
     }
-    places.extend(corners(plan, body, mesh));
     Ok(places)
-}
-
-/// Corners of more than half a turn, which the mesh has as nodes.
-fn corners(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Vec<Singular> {
-    let own = &plan.bodies[body];
-    let [x, y] = own.centre;
-    let nearest = |at: [f64; 2]| {
-        let apart = |node: &usize| {
-            let [u, v] = mesh.nodes()[*node];
-            (u - at[0]).hypot(v - at[1])
-        };
-        (0..mesh.nodes().len()).min_by(|a, b| apart(a).total_cmp(&apart(b)))
-    };
-    let corners = own.shape.reentrant_corners().into_iter();
-    let corner = |([u, v], angle): ([f64; 2], f64)| {
-        let node = nearest([x + u, y + v])?;
-        Some(Singular::Corner { node, angle })
-    };
-    corners.filter_map(corner).collect()
 }

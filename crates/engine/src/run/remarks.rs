@@ -7,7 +7,7 @@ use stickslip_contact::zones::{Zone, ends_of_contact};
 
 use super::solved::Solved;
 use super::whole_motion::free_motions;
-use crate::model::{EdgeEnd, Model, ModelEdge, Singular, corner_exponent};
+use crate::model::{EdgeEnd, Measure, Model, ModelEdge, ReentrantCorner};
 use crate::results::{
     BearingSource, ContactFinding, EdgeGeometry, EdgeKind, EdgeResults, FailedSolver, Finding,
     FreeBody, FreeMotion, FurtherSolvers, Quantity, StatusCycle, StepResults, UniquenessBound,
@@ -144,24 +144,54 @@ fn wanders(edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option<Finding> {
     })
 }
 
-/// Where the largest stress along an edge without contact has no limit, because it is at a corner of more than half a turn.
-fn at_reentrant_corners(model: &Model, edge: usize, steps: &[&EdgeResults]) -> Option<Finding> {
+/// Where the largest stress along an edge without contact has no limit, because it is at a re-entrant corner: a finding for each angle.
+fn at_reentrant_corners(model: &Model, edge: usize, steps: &[&EdgeResults]) -> Vec<Finding> {
     let own = &model.edges[edge];
     let body = &model.bodies[own.geometry.body];
-    let angle = |results: &EdgeResults| match own.unbounded_peak(&body.singular, results)? {
-        Singular::Corner { angle, .. } => Some(angle),
-        Singular::Point(_) | Singular::End(_) => None,
+    let corners: Vec<Option<ReentrantCorner>> = (steps.iter())
+        .map(|results| match own.peaks_at(&body.singular, results) {
+            true => None,
+            false => own.corner_at_peak(&body.corners, results),
+        })
+        .collect();
+    let mut different: Vec<ReentrantCorner> = Vec::new();
+    for corner in corners.iter().flatten() {
+        if !different.contains(corner) {
+            different.push(*corner);
+        }
+    }
+    let finding = |corner: ReentrantCorner| {
+        Some(Finding::NoLimitAtReentrantCorner {
+            edge: own.geometry.name.clone(),
+            steps: steps_where(&corners, |own| *own == Some(corner))?,
+            angle: corner.angle.to_degrees(),
+            exponent: has_free_sides(model, edge, corner).then(|| corner.exponent()),
+        })
     };
-    let steps_there = steps_where(steps, |results| angle(results).is_some())?;
-    let angle = steps.iter().find_map(|results| angle(results))?;
-    let materials = body.elastic()?.materials();
-    let is_isotropic = materials.iter().all(|own| is_isotropic(&own.stiffness()));
-    Some(Finding::NoLimitAtReentrantCorner {
-        edge: own.geometry.name.clone(),
-        steps: steps_there,
-        angle: angle.to_degrees(),
-        exponent: is_isotropic.then(|| corner_exponent(angle)),
-    })
+    different.into_iter().filter_map(finding).collect()
+}
+
+/// Whether the body of `edge` is isotropic, and nothing touches the sides of its `corner` or springs on them.
+fn has_free_sides(model: &Model, edge: usize, corner: ReentrantCorner) -> bool {
+    let index = model.edges[edge].geometry.body;
+    let Some(elastic) = model.bodies[index].elastic() else {
+        return false;
+    };
+    let touches = |own: &ModelEdge| {
+        let second = own.geometry.second.iter();
+        let mut second = second.filter(|own| own.body == index);
+        let first = own.geometry.body == index && own.nodes.contains(&corner.node);
+        own.pair.is_some() && (first || second.any(|own| own.nodes.contains(&corner.node)))
+    };
+    let springs = model.sets.iter().filter(|set| set.set.body == index);
+    let mut springs = springs.filter_map(|set| match &set.measure {
+        Measure::Springs { weights, .. } => Some(weights),
+        Measure::Load { .. } | Measure::Held { .. } => None,
+    });
+    let is_isotropic = |material: &PlaneMaterial| is_isotropic(material.stiffness());
+    elastic.materials().iter().all(is_isotropic)
+        && !model.edges.iter().any(touches)
+        && !springs.any(|weights| weights.iter().any(|(node, _)| *node == corner.node))
 }
 
 /// Contact at an end of `edge` where it faces nothing further.

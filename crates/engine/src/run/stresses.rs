@@ -182,7 +182,7 @@ fn left_out(model: &Model, index: usize, mesh: &Mesh) -> Vec<(Point, f64)> {
     let place = |place: &Singular| {
         let part = match place {
             Singular::Point(_) => FROM_POINT,
-            Singular::End(_) | Singular::Corner { .. } => FROM_END,
+            Singular::End(_) => FROM_END,
         };
         (mesh.nodes()[place.node()], part * smaller)
     };

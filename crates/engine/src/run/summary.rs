@@ -8,7 +8,7 @@ use stickslip_contact::{ContactState, Contacts};
 use super::reported::Reported;
 use super::solved::Solved;
 use crate::model::{Model, ModelEdge};
-use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, wrapped};
+use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, wrapped};
 
 /// Uncertainty of the largest tangential stress if it lies within four nodes of an end of contact.
 fn cusp_uncertainty(rows: &[EdgeRow], ends: &[f64], geometry: &EdgeGeometry) -> Option<f64> {
@@ -101,7 +101,14 @@ pub(super) fn summarise(
         friction_work: both * work,
         rows,
         zones,
-        // What `bearing::find` and the ladder fill.
-        ..EdgeResults::default()
+        // What `bearing::find` and the ladder fill; without `..`, so that a new number is computed somewhere.
+        bearing: None,
+        slip_lengths: None,
+        peak_pressure: None,
+        peak_hoop: None,
+        hoop_at_bearing_point: None,
+        friction_force: 0.0,
+        errors: Errors::default(),
+        row_errors: Vec::new(),
     }
 }

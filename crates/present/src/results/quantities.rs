@@ -395,7 +395,20 @@ impl Serialize for SummaryQuantities {
 
 #[cfg(test)]
 mod tests {
-    use stickslip_engine::results::EdgeResults;
+    use stickslip_engine::results::{EdgeResults, Stated};
+
+    use super::{ErrorOf, QUANTITIES};
+
+    /// The components of the resultant have theirs with its magnitude, the place of the largest stress with two quantities.
+    #[test]
+    fn every_number_with_an_error_shows_it() {
+        for stated in Stated::ALL {
+            let shows = |error: ErrorOf| matches!(error, ErrorOf::Stated(own) if own == stated);
+            let is_component = matches!(stated, Stated::ResultantX | Stated::ResultantY);
+            let is_shown = QUANTITIES.iter().any(|own| own.error.is_some_and(shows));
+            assert!(is_shown || is_component, "{stated:?}");
+        }
+    }
 
     /// A new field has to be named here: as what is shown in another way, or as what a quantity above shows.
     #[test]

@@ -59,7 +59,7 @@ fn title(results: &Results) -> String {
         .filter(|steps| !steps.is_empty())
         .min_by_key(Vec::len);
     let limited = fewest.filter(|steps| steps.len() < results.steps.len());
-    let title = "Largest stresses of the bodies";
+    let title = "Largest stresses of the bodies where they have a limit";
     limited.map_or_else(
         || title.to_owned(),
         |steps| {

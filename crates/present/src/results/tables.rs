@@ -45,6 +45,7 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
         .chain(bypass::tables(results))
         .chain(fasteners::tables(results))
         .chain(sets::tables(results))
+        .chain(sets::reactions(results))
     {
         text += &fitted(table, width);
     }

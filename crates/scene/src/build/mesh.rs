@@ -18,9 +18,6 @@ const ALONG: f64 = 32.0;
 /// Fewest such cells of a body with smaller ones where it touches.
 const FEWEST: f64 = 4.0;
 
-/// By how many times cells of outlines that no edge rules are smaller than usual, of that division.
-const COARSEST: f64 = 0.5;
-
 /// A table of mesh settings and the bodies that it divides.
 struct Scope<'a> {
     table: &'a str,
@@ -76,7 +73,7 @@ impl Builder<'_> {
                 coarse_spacing: None,
             }),
             layers: None,
-            fineness: COARSEST,
+            fineness: 1.0,
         };
         let lengths = others.iter().map(|shape| coarsest(shape));
         let by_lengths = (lengths.reduce(f64::min)).map(|least| division(Division::Linear, least));

@@ -49,7 +49,7 @@ impl Subject<'_> {
             return Err(RunError::Model(ModelError::Unsupported {
                 key: "failure.clear_of_supports".to_owned(),
                 what: format!(
-                    "all of body '{}' lies within {length} of the ends of its supports and its corners of more than half a turn, so no ply is left to check",
+                    "all of body '{}' lies within {length} of the ends of its supports, so no ply is left to check",
                     self.name
                 ),
             }));
@@ -61,7 +61,7 @@ impl Subject<'_> {
         })
     }
 
-    /// Ends of supported edges and platens, points that are held, and corners of more than half a turn. An end on the line of symmetry does not count.
+    /// Ends of supported edges and platens, and points that are held. An end on the line of symmetry does not count.
     fn singular_places(&self) -> Vec<Point> {
         let line = ROUNDING * self.smaller_dimension();
         let inner = |place: &Point| self.model.half && place[self.across].abs() <= line;

@@ -156,8 +156,8 @@ impl Sketch<'_> {
     }
 
     fn places(&self, mesh: &Mesh, nodes: &[usize]) -> Vec<Point> {
-        let at = |&node: &usize| self.shown(mesh.nodes()[node]);
-        nodes.iter().map(at).collect()
+        let at = |&node: &usize| Some(self.shown(*mesh.nodes().get(node)?));
+        nodes.iter().filter_map(at).collect()
     }
 
     /// The walk along the edge that a site is.
