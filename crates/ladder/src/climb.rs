@@ -16,7 +16,9 @@ use crate::worst::{Worst, worst, worst_of_step};
 use crate::{division, failure, places, stated, unseen};
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_engine::results::{Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated};
-use stickslip_engine::run::{Progress, RunError, numbers_with_errors, results, run_with};
+use stickslip_engine::run::{
+    Progress, RunError, free_bodies, numbers_with_errors, results, run_with,
+};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -440,6 +442,11 @@ impl Climb<'_> {
         let along = along.and(&path.along).and(&geometry.along);
         let sets: Vec<&Motions> = levels.iter().map(|level| &level.numbers.sets).collect();
         let sets = Motions::of_division(&sets, self.models.spaced().rate());
+        let sets = sets.times(
+            levels
+                .last()
+                .map_or(1.0, |own| self.models.slowness(&own.model)),
+        );
         let mut sets = sets.and(&path.sets).and(&geometry.sets);
         let Some(last) = levels.pop() else {
             return run_with(self.scene, self.models.solver(), &mut |_| {});
@@ -462,7 +469,8 @@ impl Climb<'_> {
         let missed = self.missed(worst, end);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         let uneven = self.models.uneven(&last.model);
-        let with_errors = numbers_with_errors(&last.model, &found.steps, &uneven);
+        let free = free_bodies(&last.model, &found.findings);
+        let with_errors = numbers_with_errors(&last.model, &found.steps, (&uneven, &free));
         let bodies: Vec<String> = (uneven.iter())
             .map(|&body| last.model.bodies[body].name.clone())
             .collect();

@@ -200,8 +200,10 @@ impl Changes<'_> {
     fn scale(&self, [step, edge]: At, stated: Stated) -> Option<f64> {
         let results = &self.fine.steps[step][edge];
         let scale = match stated {
+            // Edges without contact have stresses alone.
             Stated::PeakPressure | Stated::PeakHoop | Stated::HoopAtBearing => {
-                Stated::PeakPressure.value(results)?
+                let pressure = Stated::PeakPressure.value(results);
+                pressure.or_else(|| Stated::PeakHoop.value(results).map(f64::abs))?
             }
             Stated::FrictionForce
             | Stated::NormalForce

@@ -26,6 +26,9 @@ const DEFORMED_GRADINGS: usize = 3;
 /// The finest cells are 2⁴ times smaller than the coarsest.
 const HALVINGS: usize = 4;
 
+/// By how much what a division leaves of displacements exceeds what it changed last, with re-entrant corners and of other general outlines.
+const SLOW: [f64; 2] = [3.0, 1.5];
+
 /// How the models of a ladder differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Division {
@@ -157,6 +160,20 @@ impl<'a> Models<'a> {
             own.elastic().is_some() && own.series.is_none()
         };
         (0..model.bodies.len()).filter(is_meshed).collect()
+    }
+
+    /// By how much what a division of `model` leaves of displacements exceeds what it changed last.
+    pub(super) fn slowness(&self, model: &Model) -> f64 {
+        let own = model.bodies.iter().map(|body| {
+            let shape = self.scene.bodies.get(&body.name).map(|own| &own.shape);
+            let is_general = body.series.is_none() && shape.is_some_and(|own| own.is_general());
+            match (is_general, body.corners.is_empty()) {
+                (false, _) => 1.0,
+                (true, false) => SLOW[0],
+                (true, true) => SLOW[1],
+            }
+        });
+        own.fold(1.0, f64::max)
     }
 
     /// How nodes are spaced.

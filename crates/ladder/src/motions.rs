@@ -1,10 +1,10 @@
 //! Errors of forces, displacements and stiffness of loaded and held sets.
 //!
 //! ```text
-//! size = max(|v_h − v_2h|, |v_2h − v_4h| r),     error = max(size, WIDE · s · the largest size of all steps as a part of s)
+//! size = k max(|v_h − v_2h|, |v_2h − v_4h| r),     error = max(size, WIDE · s · the largest size of all steps as a part of s)
 //! ```
 //!
-//! s is |v|, or a tenth of the largest of the history. r is the part that a change should be of the one before, as in [`division`](super::division). What load path and geometry leave is added.
+//! k is 1, and more of general outlines: where a clamp ends at a re-entrant corner, energies converge like h^0.5 to h^0.7 and changes fall by a third from model to model. s is |v|, or a tenth of the largest of the history. r is the part that a change should be of the one before, as in [`division`](super::division). What load path and geometry leave is added.
 
 use super::rates;
 use stickslip_engine::results::{Results, SetMotion, SetNumbers, SetStated};

@@ -33,7 +33,7 @@ const ARC_STEP: f64 = PI / 12.0;
 pub(crate) const SHARP: f64 = FRAC_PI_3 - 1e-6;
 
 /// Inner angles above this are re-entrant `[rad]`.
-pub(crate) const REENTRANT: f64 = PI + 0.15;
+const REENTRANT: f64 = PI + 0.15;
 
 /// Points with sizes, near each other.
 #[derive(Debug)]

@@ -125,7 +125,7 @@ pub enum Finding {
         /// Load steps with such stresses.
         steps: Vec<usize>,
     },
-    /// The largest stress along an edge is at a corner of more than half a turn, grows with every finer division and has no limit.
+    /// The largest stress along an edge is at a re-entrant corner, grows with every finer division and has no limit.
     NoLimitAtReentrantCorner {
         /// The edge.
         edge: String,
@@ -133,7 +133,7 @@ pub enum Finding {
         steps: Vec<usize>,
         /// Angle of the corner inside the body `[degree]`.
         angle: f64,
-        /// Power of the distance from the corner with which stress grows, between −½ and 0, of an isotropic body.
+        /// Power of the distance from the corner with which stress grows, between −½ and 0, of an isotropic body with free sides.
         exponent: Option<f64>,
     },
     /// Forces on fasteners have a moment out of the plane.

@@ -83,12 +83,27 @@ fn is_point(model: &Model, set: &ModelSet) -> bool {
     body.elastic().is_some() && body.series.is_none() && nodes == 1
 }
 
-/// Which numbers of the sets of `model` can have an error, in the order of [`SetStated::ALL`]: those that are not given, have a limit, and do not depend on the bodies
-/// `uneven`, of which finer models have some cells alone that are smaller.
+/// The bodies that `findings` say to move as a whole without resistance, alone or together.
+pub fn free_bodies(model: &Model, findings: &[Finding]) -> Vec<usize> {
+    let is_free = |name: &String| {
+        findings.iter().any(|finding| match finding {
+            Finding::FreeBody(own) => own.body == *name,
+            Finding::FreeTogether { bodies, .. } => bodies.contains(name),
+            _ => false,
+        })
+    };
+    let bodies = 0..model.bodies.len();
+    bodies
+        .filter(|&body| is_free(&model.bodies[body].name))
+        .collect()
+}
+
+/// Which numbers of the sets of `model` can have an error, in the order of [`SetStated::ALL`]: those that are not given, have a limit, and depend neither on the bodies
+/// `uneven`, of which finer models have some cells alone that are smaller, nor on where the bodies `free` have been left under several loads.
 pub fn numbers_with_errors(
     model: &Model,
     steps: &[StepResults],
-    uneven: &[usize],
+    (uneven, free): (&[usize], &[usize]),
 ) -> Vec<[bool; 4]> {
     let points = Points::of(model, steps);
     let of_set = |own: &ModelSet| {
@@ -103,12 +118,17 @@ pub fn numbers_with_errors(
         let is_load = matches!(own.measure, Measure::Load { .. });
         let hangs = points.of_part(own).next().is_some() || is_load && is_point(model, own);
         let shares = points.of_part(own).any(|held| points.shares(held));
+        // One load alone does no work on a motion that nothing resists.
+        let loads = model.sets.iter().filter(|other| {
+            matches!(other.measure, Measure::Load { .. }) && points.are_linked(own, other)
+        });
+        let drifts = free.contains(&own.set.body) && loads.count() > 1;
         SetStated::ALL.map(|stated| match (&own.measure, stated) {
             (Measure::Load { .. }, SetStated::Force)
             | (Measure::Held { .. }, SetStated::Displacement)
             | (Measure::Springs { .. }, SetStated::Secant | SetStated::Tangent) => false,
             (_, SetStated::Force) | (Measure::Held { .. }, _) => !shares,
-            _ => !hangs,
+            _ => !hangs && !drifts,
         })
     };
     model.sets.iter().map(of_set).collect()

@@ -149,9 +149,9 @@ fn at_reentrant_corners(model: &Model, edge: usize, steps: &[&EdgeResults]) -> V
     let own = &model.edges[edge];
     let body = &model.bodies[own.geometry.body];
     let corners: Vec<Option<ReentrantCorner>> = (steps.iter())
-        .map(|results| match own.peaks_at(&body.singular, results) {
-            true => None,
-            false => own.corner_at_peak(&body.corners, results),
+        .map(|results| {
+            let corner = own.corner_at_peak(&body.corners, results);
+            corner.filter(|_| !own.peaks_at(&body.singular, results))
         })
         .collect();
     let mut different: Vec<ReentrantCorner> = Vec::new();
@@ -188,8 +188,8 @@ fn has_free_sides(model: &Model, edge: usize, corner: ReentrantCorner) -> bool {
         Measure::Springs { weights, .. } => Some(weights),
         Measure::Load { .. } | Measure::Held { .. } => None,
     });
-    let is_isotropic = |material: &PlaneMaterial| is_isotropic(material.stiffness());
-    elastic.materials().iter().all(is_isotropic)
+    let mut materials = elastic.materials().iter();
+    materials.all(|own| is_isotropic(&own.stiffness()))
         && !model.edges.iter().any(touches)
         && !springs.any(|weights| weights.iter().any(|(node, _)| *node == corner.node))
 }

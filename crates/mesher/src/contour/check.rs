@@ -1,7 +1,7 @@
 //! The checks of a contour, and its exact curves.
 
 use std::collections::BTreeSet;
-use std::f64::consts::{FRAC_PI_3, TAU};
+use std::f64::consts::{FRAC_PI_3, PI, TAU};
 
 use stickslip_fem_core::mesh::Point;
 
@@ -10,7 +10,6 @@ use super::{Contour, Hole, Loop};
 use crate::curve::Track;
 use crate::meet;
 use crate::outline::Outline;
-use crate::size::REENTRANT;
 use crate::vector::distance;
 use crate::{ContourError, Course, SplineFlaw};
 
@@ -27,6 +26,9 @@ const CUSP: f64 = 0.01;
 /// Most points between the ends of a spline, whose parts are compared with each other.
 const MOST_POINTS: usize = 1000;
 
+/// Pieces whose directions differ by less than half a degree are meant to be smooth `[rad]`.
+const KINK: f64 = 0.5 * PI / 180.0;
+
 /// Fewest angles of a hole.
 const FEWEST_ANGLES: usize = 8;
 
@@ -42,7 +44,7 @@ impl Contour {
         checked(self).map(|_| ())
     }
 
-    /// Corners of the outline and of cut-outs at which the body reaches over more than half a turn, each with its inner angle `[rad]`; none of a
+    /// Corners of the outline and of cut-outs at which the body reaches over more than 180.5°, each with its inner angle `[rad]`; none of a
     /// contour whose pieces make no loops. Stress in an elastic body has no limit there (Williams, J. Appl. Mech. 19 (1952) 526–528).
     pub fn reentrant_corners(&self) -> Vec<(Point, f64)> {
         let Ok(outline) = resolved(self) else {
@@ -50,7 +52,7 @@ impl Contour {
         };
         let pieces = 0..outline.tracks.len();
         let corners = pieces.map(|k| (outline.tracks[k].from, outline.angle(k)));
-        corners.filter(|own| own.1 > REENTRANT).collect()
+        corners.filter(|own| own.1 > PI + KINK).collect()
     }
 }
 

@@ -62,7 +62,7 @@ fn the_limit_reported_is_the_one_given() {
     }
 }
 
-/// Twice as many nodes on holes, half the spacing and twice the fineness halve every cell.
+/// Twice as many nodes on holes and twice the fineness give four times as many cells.
 #[test]
 fn twice_the_fineness_halves_every_cell() {
     for (name, contour) in all() {

@@ -13,8 +13,8 @@ const ROUNDING: f64 = 1e-12;
 
 /// What the table says of its places.
 pub(super) const NOTE: &str = "At the nodes of the elastic bodies, each in the step with its largest von Mises stress: of bodies with a yield stress among all steps, of \
-                    others among those with fields. Around held points, within two fifths of the body's smaller side, and ends of supported edges and \
-                    corners of more than half a turn, within a twentieth, stresses have no bound and are left out.";
+                    others among those with fields. Around held points, within two fifths of the body's smaller side, and ends of supported edges, within a twentieth, \
+                    stresses have no bound and are left out; at re-entrant corners they have none either, and are those of the mesh.";
 
 /// The largest stresses of every body, in the step with its largest von Mises stress; `None` where no step has stresses.
 pub(super) fn table(results: &Results) -> Option<Table> {
@@ -59,7 +59,7 @@ fn title(results: &Results) -> String {
         .filter(|steps| !steps.is_empty())
         .min_by_key(Vec::len);
     let limited = fewest.filter(|steps| steps.len() < results.steps.len());
-    let title = "Largest stresses of the bodies where they have a limit";
+    let title = "Largest stresses of the bodies";
     limited.map_or_else(
         || title.to_owned(),
         |steps| {

@@ -22,7 +22,7 @@ pub(super) const TABLES: &[Table] = &[
         words("bodies", "list of bodies", "all of a laminate", r#"["coupon"]"#,
             "bodies whose plies are checked").range(filled("at least one body; leave it out for all bodies of a laminate")),
         length("clear_of_supports", "5 % of the body's smaller outer dimension", r#""2 mm""#,
-            "distance from the ends of supported edges and platens, from points that are held, and from corners of more than half a turn, within which no ply is checked").range(NOT_NEGATIVE),
+            "distance from the ends of supported edges and platens, and from points that are held, within which no ply is checked").range(NOT_NEGATIVE),
         number("tsai_wu_interaction", "`-0.5`", "0.0",
             "F12 of `tsai_wu` as a multiple of √(F11 F22)").noted(" between −1 and 1"),
         number("hashin_shear_weight", "`1.0`", "0.0", "weight of shear in fibre tension of `hashin`").noted(" from 0 to 1"),

@@ -72,7 +72,7 @@ pub trait Outline: fmt::Debug {
         None
     }
 
-    /// Corners at which the body reaches over more than half a turn, each with its inner angle `[rad]`, in the coordinates of the shape.
+    /// Corners at which the body reaches over more than 180.5°, each with its inner angle `[rad]`, in the coordinates of the shape.
     fn reentrant_corners(&self) -> Vec<(Point, f64)> {
         Vec::new()
     }
@@ -100,6 +100,11 @@ pub trait Outline: fmt::Debug {
     /// Whether it brings a mesh that no setting divides.
     fn has_own_mesh(&self) -> bool {
         self.mesh_keys().is_empty()
+    }
+
+    /// Whether it is divided into cells of any shape, with corners anywhere.
+    fn is_general(&self) -> bool {
+        false
     }
 
     /// Whether one length says all of its size, so that its plane compliance is that of any other size.

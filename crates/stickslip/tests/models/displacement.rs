@@ -292,6 +292,25 @@ fn what_hangs_on_a_point_has_no_error() {
     assert!(by_series.set_errors(0, 1).get(SetStated::Secant).is_some());
 }
 
+/// Two forces on a plate that turns freely with its pin do as much work together wherever it is left, and neither alone.
+#[test]
+fn what_turns_freely_under_two_loads_has_no_error_of_displacement() {
+    let free = PIN.replace("substeps = 1\n", "");
+    let section = r#"supports.0={ on = "pin.section", fix = ["x", "y"] }"#;
+    let two = r#"loads=[{ name = "one", on = "plate.left", force = { direction = [-1, 0], steps = ["2 kN"] } }, { name = "other", on = "plate.right", force = { direction = [1, 0], steps = ["0.5 kN"] } }]"#;
+    let accuracy = "analysis.accuracy={ contact_extent = \"10 %\" }";
+    let has_error = |results: &Results, set: usize| {
+        let errors = results.set_errors(set, 0);
+        errors.get(SetStated::Displacement).is_some()
+    };
+    let one = solved(&free, &[section, accuracy, "analysis.model=whole"]);
+    assert!(has_error(&one, 0));
+    let both = solved(&free, &[section, accuracy, two, "analysis.model=whole"]);
+    let is_free = |own: &Finding| matches!(own, Finding::FreeTogether { .. });
+    assert!(both.findings.iter().any(is_free), "{:?}", both.findings);
+    assert!(!has_error(&both, 0) && !has_error(&both, 1));
+}
+
 /// A frame with a hole, whose displacements and reactions are those of its corners; edges are `finer` times as fine.
 fn frame(finer: usize) -> String {
     let corners = [

@@ -96,7 +96,7 @@ fn bodies_are_shown_whole_with_their_stresses_and_both_sides_of_a_contact() {
         "The whole of &#x27;plate&#x27;",
         "A red line is the yield stress.",
         "a window, beyond which the body goes on",
-        "Largest stresses of the bodies where they have a limit, without a yield stress in load step 3 alone",
+        "Largest stresses of the bodies, without a yield stress in load step 3 alone",
         "<td class=\"number\">14000</td>",
         "<td class=\"number\">−2000</td>",
         "@page { size: A4;",

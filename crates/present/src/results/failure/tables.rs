@@ -59,7 +59,7 @@ fn beside_supports(view: &FailureView<'_>) -> Vec<String> {
     let distance = significant(view.length(beside.distance), 3);
     let unit = view.results.units.length.name;
     let mut notes = vec![format!(
-        "First ply: not within {distance} {unit} of the ends of supports and corners of more than half a turn, where stresses grow without bound as the mesh is refined."
+        "First ply: not within {distance} {unit} of the ends of supports, where stresses grow without bound as the mesh is refined."
     )];
     let criteria = view.failure.criteria.iter().zip(&beside.sooner);
     notes.extend(criteria.filter_map(|(name, first)| {

@@ -118,10 +118,7 @@ impl<'a> Shape<'a> {
         let own = own.find(|own| own.body == self.fields.body);
         let largest = own.map(|own| units.stress.from_base(own.von_mises.stress));
         plot = plot.stating(largest.map_or_else(String::new, |largest| {
-            format!(
-                "max {} {unit} away from supports and sharp corners",
-                significant(largest, 4)
-            )
+            format!("max {} {unit} away from supports", significant(largest, 4))
         }));
         if let Some(largest) = largest.filter(|largest| *largest > 0.0) {
             plot = plot.between(0.0, largest);
@@ -141,7 +138,7 @@ impl<'a> Shape<'a> {
             significant(displaced, 3),
             units.length.name,
             largest.map_or_else(String::new, |largest| format!(
-                " The colour bar ends at the largest von Mises stress away from supports and sharp corners, {} {unit}.",
+                " The colour bar ends at the largest von Mises stress away from supports, {} {unit}.",
                 significant(largest, 4)
             )),
             limit.map_or("", |_| " A red line is the yield stress."),

@@ -53,7 +53,7 @@ pub(super) fn reentrant(edge: &str, steps: &str, angle: f64, exponent: Option<f6
         )
     });
     format!(
-        "The peak tangential stress along {edge} in {steps} is at a corner of {}°, towards which stress grows without limit{power}: the value is that of \
+        "The peak tangential stress along {edge} in {steps} is at a re-entrant corner of {}°, towards which stress grows without limit{power}: the value is that of \
          this division, without an error. Round the corner to get a limit.",
         significant(angle, 4)
     )
