@@ -3,6 +3,7 @@
 use super::ModelError;
 use super::plan::{Placed, Plan};
 use stickslip_scene::schema::{Hold, LoadKind, SetRef};
+use stickslip_scene::shape::Role;
 
 /// Refuses what the model would otherwise ignore.
 pub(super) fn check(plan: &Plan<'_>) -> Result<(), ModelError> {
@@ -74,6 +75,15 @@ fn reported(plan: &Plan<'_>, index: usize, edge: &Placed<'_, SetRef>) -> Result<
         let what = format!(
             "{on} is the second edge of contact '{}', whose tractions are reported on {}",
             contact.name, contact.first
+        );
+        return refuse(key, what);
+    }
+    let is_open = edge.edge.as_ref().is_some_and(|own| own.role == Role::Free);
+    let mut contacts = plan.contacts.iter().map(|contact| contact.of);
+    if let Some(contact) = contacts.find(|contact| is_open && contact.first == *on) {
+        let what = format!(
+            "contact '{}' reports the part of {on} that faces {}; remove this entry, or give the rest of the edge a name of its own and report that",
+            contact.name, contact.second
         );
         return refuse(key, what);
     }

@@ -420,3 +420,13 @@ fn an_edge_touches_several_others_as_its_parts_would() {
         "{message}"
     );
 }
+
+/// Of an open edge in contact only what faces the other one is reported.
+#[test]
+fn an_open_edge_in_contact_is_not_reported_again() {
+    let scene = scene(PUNCH, &[r#"edges=[{ on = "punch.face" }]"#]);
+    let first = scene.contacts[0].first.to_string();
+    assert_eq!(first, scene.edges[0].to_string(), "the scene's own names");
+    let refusal = Model::build(&scene).unwrap_err().to_string();
+    assert!(refusal.contains("reports the part of"), "{refusal}");
+}
