@@ -292,6 +292,24 @@ fn what_hangs_on_a_point_has_no_error() {
     assert!(by_series.set_errors(0, 1).get(SetStated::Secant).is_some());
 }
 
+/// Finer models of elements that touch a series have smaller cells near contact alone, which says nothing of how far their edges move.
+#[test]
+fn sets_of_elements_beside_a_series_have_no_errors() {
+    let scene = include_str!("../../../../scenes/eccentric-hole.toml");
+    let asked = [
+        "bodies.plate.model=elements",
+        "analysis.kinematics=small",
+        "analysis.accuracy={ contact_extent = \"10 %\" }",
+        "output={ fields = \"none\", figures = false }",
+    ];
+    let found = solved(scene, &asked);
+    let errors = (0..found.sets.len()).map(|set| found.set_errors(set, 1));
+    let mut errors = errors.flat_map(|own| SetStated::ALL.map(|stated| own.get(stated)));
+    assert!(errors.all(|error| error.is_none()));
+    let is_said = |own: &Finding| matches!(own, Finding::SetsWithoutErrors { bodies } if bodies[..] == ["plate"]);
+    assert!(found.findings.iter().any(is_said), "{:?}", found.findings);
+}
+
 /// Two forces on a plate that turns freely with its pin do as much work together wherever it is left, and neither alone.
 #[test]
 fn what_turns_freely_under_two_loads_has_no_error_of_displacement() {
