@@ -400,6 +400,30 @@ fn errors_of_outlines_with_holes_hold_finer_edges() {
     assert!(looked >= 3, "{looked}");
 }
 
+/// Where a clamp ends at a re-entrant corner, displacements of finer models change by a third less from one to the next.
+#[test]
+fn errors_hold_where_a_clamp_ends_at_a_reentrant_corner() {
+    let clamp = r#"supports=[{ on = "frame.arm", fix = ["x", "y"] }]"#;
+    let asked = [clamp, "analysis.accuracy=\"40 %\""];
+    let own = solved(&frame(1), &asked);
+    // Beside the corners alone.
+    let finer = ["inner", "arm", "other"]
+        .iter()
+        .fold(frame(1), |text, name| {
+            let own = text.find(&format!("name = \"{name}\"")).unwrap();
+            let (before, after) = text.split_at(own);
+            before.to_owned() + &after.replacen("refine = 1", "refine = 100", 1)
+        });
+    let truth = solved(&finer, &asked);
+    let [moved, wanted] = [&own, &truth].map(|own| motion(own, 0, 0).displacement);
+    let error = own.set_errors(0, 0).get(SetStated::Displacement).unwrap();
+    let miss = (moved - wanted).abs();
+    assert!(
+        miss <= error && miss > 0.4 * error,
+        "{moved} {wanted} ± {error}"
+    );
+}
+
 /// Towards the corner of 270° of the frame stress grows like r^(λ − 1), λ = 0.5445 (Williams 1952, free sides).
 #[test]
 fn stress_at_a_reentrant_corner_has_no_error() {
