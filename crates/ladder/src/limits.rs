@@ -104,10 +104,10 @@ impl Missing {
 fn of_free_edge(model: &Model, edge: usize, results: &EdgeResults) -> Option<Cause> {
     let own = &model.edges[edge];
     let body = &model.bodies[own.geometry.body];
-    let support = own.peaks_at(&body.singular, results);
-    let corner = || own.corner_at_peak(&body.corners, results);
-    let support = support.then_some(Cause::Support);
-    support.or_else(|| corner().map(|_| Cause::Corner))
+    if own.peaks_at(&body.singular, results) {
+        return Some(Cause::Support);
+    }
+    own.corner_at_peak(body, results).map(|_| Cause::Corner)
 }
 
 /// Where slip leads away on both sides.

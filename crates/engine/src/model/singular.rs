@@ -3,6 +3,7 @@
 use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
 use stickslip_scene::schema::LoadKind;
 
+use super::body::ModelBody;
 use super::edge::ModelEdge;
 use super::plan::Plan;
 use crate::results::EdgeResults;
@@ -72,13 +73,16 @@ impl ModelEdge {
         beside.any(|k| places.iter().any(|place| place.node() == self.nodes[k]))
     }
 
-    /// Which of `corners`, those of its body, its largest tangential stress is beside, where stress grows towards it: a node at a corner that is pressed
+    /// Which corner of `body`, its own, its largest tangential stress is beside and no support, where stress grows towards it: a node at a corner that is pressed
     /// has a stress of the other sign than its neighbours.
     pub fn corner_at_peak(
         &self,
-        corners: &[ReentrantCorner],
+        body: &ModelBody,
         results: &EdgeResults,
     ) -> Option<ReentrantCorner> {
+        if self.peaks_at(&body.singular, results) {
+            return None;
+        }
         let rows = &results.rows;
         let pulls = |k: usize| {
             let neighbours = [k.checked_sub(self.order), Some(k + self.order)];
@@ -86,7 +90,7 @@ impl ModelEdge {
             neighbours.any(|row| row.sigma_tangential > 0.0)
         };
         let at = |k: usize| {
-            let corner = corners.iter().find(|own| own.node == self.nodes[k])?;
+            let corner = body.corners.iter().find(|own| own.node == self.nodes[k])?;
             pulls(k).then_some(*corner)
         };
         self.beside_peak(results)?.find_map(at)
