@@ -107,7 +107,8 @@ fn of_free_edge(model: &Model, edge: usize, results: &EdgeResults) -> Option<Cau
     if own.peaks_at(&body.singular, results) {
         return Some(Cause::Support);
     }
-    own.corner_at_peak(body, results).map(|_| Cause::Corner)
+    own.corner_at_peak((&body.singular, &body.corners), results)
+        .map(|_| Cause::Corner)
 }
 
 /// Where slip leads away on both sides.

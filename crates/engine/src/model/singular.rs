@@ -3,7 +3,6 @@
 use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
 use stickslip_scene::schema::LoadKind;
 
-use super::body::ModelBody;
 use super::edge::ModelEdge;
 use super::plan::Plan;
 use crate::results::EdgeResults;
@@ -73,14 +72,14 @@ impl ModelEdge {
         beside.any(|k| places.iter().any(|place| place.node() == self.nodes[k]))
     }
 
-    /// Which corner of `body`, its own, its largest tangential stress is beside and no support, where stress grows towards it: a node at a corner that is pressed
+    /// Which of `corners`, those of its body, its largest tangential stress is beside, and beside none of `supports`, where stress grows towards it: a node at a corner that is pressed
     /// has a stress of the other sign than its neighbours.
     pub fn corner_at_peak(
         &self,
-        body: &ModelBody,
+        (supports, corners): (&[Singular], &[ReentrantCorner]),
         results: &EdgeResults,
     ) -> Option<ReentrantCorner> {
-        if self.peaks_at(&body.singular, results) {
+        if self.peaks_at(supports, results) {
             return None;
         }
         let rows = &results.rows;
@@ -90,7 +89,7 @@ impl ModelEdge {
             neighbours.any(|row| row.sigma_tangential > 0.0)
         };
         let at = |k: usize| {
-            let corner = body.corners.iter().find(|own| own.node == self.nodes[k])?;
+            let corner = corners.iter().find(|own| own.node == self.nodes[k])?;
             pulls(k).then_some(*corner)
         };
         self.beside_peak(results)?.find_map(at)

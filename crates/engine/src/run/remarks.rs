@@ -149,7 +149,7 @@ fn at_reentrant_corners(model: &Model, edge: usize, steps: &[&EdgeResults]) -> V
     let own = &model.edges[edge];
     let body = &model.bodies[own.geometry.body];
     let corners: Vec<Option<ReentrantCorner>> = (steps.iter())
-        .map(|results| own.corner_at_peak(body, results))
+        .map(|results| own.corner_at_peak((&body.singular, &body.corners), results))
         .collect();
     let mut different: Vec<ReentrantCorner> = Vec::new();
     for corner in corners.iter().flatten() {

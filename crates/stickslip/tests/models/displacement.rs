@@ -408,15 +408,19 @@ fn errors_of_a_free_edge_are_alike_in_all_steps() {
             r#"{{ name = "{name}", on = "frame.right", force = {{ direction = {direction}, steps = {steps} }} }}"#
         )
     };
-    let along = force("along", "[1, 0]", r#"["1 kN", "0 kN", "1 kN", "1 kN"]"#);
-    let across = force("across", "[0, 1]", r#"["0 kN", "1 kN", "1 kN", "-1 kN"]"#);
+    let steps = |part: fn(f64) -> f64| {
+        let each = (0..12).map(|k| format!("\"{} N\"", 1e3 * part(f64::from(k) * 0.5)));
+        format!("[{}]", each.collect::<Vec<_>>().join(", "))
+    };
+    let along = force("along", "[1, 0]", &steps(f64::cos));
+    let across = force("across", "[0, 1]", &steps(f64::sin));
     let loads = format!("loads=[{along}, {across}]");
     let found = solved(&frame(1), &[&loads, "analysis.accuracy=\"40 %\""]);
     let part = |step: usize| {
         let edge = &found.steps[step].edges[0];
         edge.errors.get(Stated::PeakHoop).unwrap() / edge.peak_hoop.unwrap().0
     };
-    let parts = [0, 1, 2, 3].map(part);
+    let parts: Vec<f64> = (0..12).map(part).collect();
     let [least, most] = [
         parts.iter().copied().fold(1.0, f64::min),
         parts.iter().copied().fold(0.0, f64::max),
