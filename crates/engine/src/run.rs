@@ -31,7 +31,7 @@ use stickslip_fem_core::{InterfaceOperator, parallel};
 pub use assembled::{Assembled, condense};
 pub use error::{ProgressiveRunError, RunError};
 pub use follow::{Progress, follow};
-pub use points::{free_bodies, numbers_with_errors};
+pub use points::numbers_with_errors;
 pub use solved::{Operator, OwnNodes, Solved};
 pub use thinned::follow_thinned;
 pub use whole_motion::{MovingBody, WholeMotion};

@@ -10,15 +10,15 @@ use crate::grading::Grading;
 use crate::level::Level;
 use crate::models::{Division, Models};
 use crate::motions::Motions;
-use crate::numbers::{Numbers, Table, above_rounding, drop_unresolved, sum, zipped};
+use crate::numbers::{Estimates, Numbers, Table, above_rounding, drop_unresolved, sum};
 use crate::path::{self, Changes, Halved, Left};
-use crate::worst::{Worst, worst, worst_of_step};
+use crate::worst::{Worst, unstated, worst, worst_of_edges, worst_of_step};
 use crate::{division, failure, places, stated, unseen};
 use stickslip_engine::model::obstacle_to_half;
-use stickslip_engine::results::{Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated};
-use stickslip_engine::run::{
-    Progress, RunError, free_bodies, numbers_with_errors, results, run_with,
+use stickslip_engine::results::{
+    Bounded, Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated,
 };
+use stickslip_engine::run::{Progress, RunError, numbers_with_errors, results, run_with};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -78,7 +78,7 @@ pub(crate) fn climb(
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
         let errors = climb.errors(&levels, &path, &model);
-        let end = climb.end(&levels, &errors, &path.numbers);
+        let end = climb.end(&levels, &errors, &path);
         let next = match (end, levels.last()) {
             (None, Some(last)) => {
                 let rung = last.rung + 1;
@@ -117,23 +117,45 @@ struct Climb<'a> {
 
 impl Climb<'_> {
     /// All errors of the last of `levels`.
-    fn errors(&self, levels: &[Level], path: &Left, geometry: &Geometry) -> Table {
-        if levels.len() < 2 {
+    fn errors(&self, levels: &[Level], path: &Left, geometry: &Geometry) -> Estimates {
+        let [_, .., last] = levels else {
             // Of the division nothing is known.
-            return Table::new();
-        }
+            return Estimates::default();
+        };
         let mut divided = division::errors(&numbers(levels), self.models.spaced());
-        if let Some(last) = levels.last() {
-            let friction = |edge, pressure| last.friction(edge, pressure);
-            unseen::widen(&mut divided, &last.numbers, friction);
+        let friction = |edge, pressure| last.friction(edge, pressure);
+        unseen::widen(&mut divided, &last.numbers, friction);
+        let mut all = sum(&sum(&divided, &path.numbers), &geometry.errors.numbers);
+        places::widen(&mut all, &last.numbers);
+        above_rounding(&mut all, &last.numbers);
+        drop_unresolved(&mut all, &last.numbers);
+        Estimates {
+            numbers: all,
+            sets: self.errors_of_sets(levels, last, path, geometry),
         }
-        let mut all = sum(&sum(&divided, &path.numbers), &geometry.errors);
-        if let Some(last) = levels.last() {
-            places::widen(&mut all, &last.numbers);
-            above_rounding(&mut all, &last.numbers);
-            drop_unresolved(&mut all, &last.numbers);
-        }
-        all
+    }
+
+    /// Those of sets of `last`, the last of `levels`.
+    fn errors_of_sets(
+        &self,
+        levels: &[Level],
+        last: &Level,
+        path: &Left,
+        geometry: &Geometry,
+    ) -> Motions {
+        let sets: Vec<&Motions> = levels.iter().map(|level| &level.numbers.sets).collect();
+        let divided = Motions::of_division(&sets, self.models.spaced().rate());
+        let divided = divided.times(self.models.slowness(&last.model));
+        let all = divided.and(&path.sets).and(&geometry.errors.sets);
+        let all = all.above_rounding(&last.numbers.sets);
+        all.only(&self.sets_with_errors(last))
+    }
+
+    /// Which numbers of sets can have an error.
+    fn sets_with_errors(&self, level: &Level) -> Vec<[bool; 4]> {
+        let forces = level.numbers.sets.forces();
+        let uneven = self.models.uneven(&level.model);
+        numbers_with_errors(&level.model, &level.solved, &forces, &uneven)
     }
 
     /// Renews what deformed gaps may change by the last of `levels`, which was just solved, if its operators make that cheap: those of elements, whose first
@@ -145,7 +167,7 @@ impl Climb<'_> {
         progress: &mut dyn FnMut(Progress),
     ) {
         let last = levels.last().filter(|_| !self.models.is_graded());
-        let Some(last) = last.filter(|_| !geometry.errors.is_empty()) else {
+        let Some(last) = last.filter(|_| !geometry.errors.numbers.is_empty()) else {
             return;
         };
         if let Ok(deformed) = self.deformed(last, progress) {
@@ -291,13 +313,23 @@ impl Climb<'_> {
     /// The steps of `level` that more increments have to divide after those that left `found`: those with too large an error, and those before them that may have left it, where it is
     /// not their own or they have [`INCREMENTS`].
     fn to_halve(&self, level: &Level, found: &Halved) -> Vec<bool> {
-        let is_large = |errors: &Table, step: usize| {
-            let worst = worst_of_step(&level.numbers, errors, self.bounds(), step);
+        let is_too_much = |worst: Option<Worst>| {
             self.asked.is_some() && worst.is_some_and(|worst| worst.part > PATH_SHARE)
+        };
+        let is_large = |errors: &Table, step: usize| {
+            is_too_much(worst_of_edges(&level.numbers, errors, self.bounds(), step))
         };
         let substeps = &level.substeps;
         let mut halved = vec![false; substeps.len()];
+        let of_sets = Estimates {
+            numbers: Table::new(),
+            sets: found.left.sets.only(&self.sets_with_errors(level)),
+        };
         for step in 0..substeps.len() {
+            let worst = worst_of_step(&level.numbers, &of_sets, self.bounds(), step);
+            if is_too_much(worst) {
+                halved[..=step].fill(true);
+            }
             halved[step] |= is_large(&found.own, step);
             let is_spent = halved[step] && substeps[step] >= INCREMENTS;
             if is_spent || is_large(&found.before, step) {
@@ -348,7 +380,7 @@ impl Climb<'_> {
         self.asked.unwrap_or(Accuracy::DEFAULT)
     }
 
-    fn record(&mut self, level: &Level, error: Option<(f64, Stated)>) {
+    fn record(&mut self, level: &Level, error: Option<(f64, Bounded)>) {
         self.rungs.push(Rung {
             model: level.division.clone(),
             increments: level.substeps.clone(),
@@ -360,13 +392,11 @@ impl Climb<'_> {
 
     /// Records the last of `levels` with its `errors`, and says why the climb ends there, if it does; no finer division makes those that the
     /// load path `left` smaller.
-    fn end(&mut self, levels: &[Level], errors: &Table, left: &Table) -> Option<LadderEnd> {
+    fn end(&mut self, levels: &[Level], errors: &Estimates, left: &Left) -> Option<LadderEnd> {
         let last = levels.last()?;
-        let worst_of = |errors: &Table| worst(&last.numbers, errors, self.bounds());
+        let worst_of = |errors: &Estimates| worst(&last.numbers, errors, self.bounds());
         let worst = worst_of(errors);
-        // Numbers without a limit have no error, and do not count.
-        let left = zipped(errors, left, |own, left| left.filter(|_| own.is_some()));
-        let others = zipped(errors, &left, |own, left| Some(own? - left.unwrap_or(0.0)));
+        let (left, others) = left.part_of(errors);
         let part = |worst: Option<Worst>| worst.map_or(0.0, |worst| worst.part);
         let [left, others] = [left, others].map(|errors| part(worst_of(&errors)));
         let is_pinned = self.scene.analysis.substeps.is_some();
@@ -382,8 +412,10 @@ impl Climb<'_> {
             && worst.is_none_or(|worst| worst.part <= 1.0)
             && !self.is_unresolved(&last.numbers);
         let reached = self.asked.is_some() && is_met;
-        if reached {
+        if reached && unstated(&last.numbers, errors, self.bounds()).is_empty() {
             Some(LadderEnd::Reached)
+        } else if reached {
+            Some(LadderEnd::Unstated)
         } else if self.ran_out {
             Some(LadderEnd::Budget)
         } else if self.models.division() == Division::Pinned {
@@ -401,7 +433,9 @@ impl Climb<'_> {
 
     /// Whether a largest pressure that is asked for rests on too few nodes.
     fn is_unresolved(&self, numbers: &Numbers) -> bool {
-        let is_asked = Stated::PeakPressure.bound(self.bounds()).is_some();
+        let is_asked = Bounded::from(Stated::PeakPressure)
+            .bound(self.bounds())
+            .is_some();
         let edges = numbers.geometries.iter().enumerate();
         let mut contacts = edges.filter(|(_, edge)| edge.contact);
         let steps = 0..numbers.steps.len();
@@ -433,44 +467,38 @@ impl Climb<'_> {
     fn finish(
         mut self,
         mut levels: Vec<Level>,
-        mut errors: Table,
+        mut errors: Estimates,
         path: &Left,
         geometry: &Geometry,
         mut end: LadderEnd,
     ) -> Result<Results, RunError> {
         let along = Along::of_division(&numbers(&levels), self.models.spaced());
         let along = along.and(&path.along).and(&geometry.along);
-        let sets: Vec<&Motions> = levels.iter().map(|level| &level.numbers.sets).collect();
-        let sets = Motions::of_division(&sets, self.models.spaced().rate());
-        let sets = sets.times(
-            levels
-                .last()
-                .map_or(1.0, |own| self.models.slowness(&own.model)),
-        );
-        let mut sets = sets.and(&path.sets).and(&geometry.sets);
         let Some(last) = levels.pop() else {
             return run_with(self.scene, self.models.solver(), &mut |_| {});
         };
         let along = along.floored(&last.numbers);
         let mut along = along.into_steps(&last.numbers.geometries);
-        let unlimited = division::findings(&last.numbers, &errors);
+        let unlimited = division::findings(&last.numbers, &errors.numbers);
         if geometry.failed.is_some() {
             end = LadderEnd::Unchecked;
             along.clear();
-            sets = Motions::default();
+            errors.sets = Motions::default();
             for rung in &mut self.rungs {
                 rung.error = None;
             }
-            for own in errors.iter_mut().flatten() {
+            for own in errors.numbers.iter_mut().flatten() {
                 *own = Errors::default();
             }
         }
         let worst = worst(&last.numbers, &errors, self.bounds());
         let missed = self.missed(worst, end);
+        let unstated = unstated(&last.numbers, &errors, self.bounds());
+        let unstated = unstated.into_iter().map(Bounded::describe).collect();
+        let unstated =
+            (end == LadderEnd::Unstated).then_some(Finding::AccuracyUnstated { numbers: unstated });
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         let uneven = self.models.uneven(&last.model);
-        let free = free_bodies(&last.model, &found.findings);
-        let with_errors = numbers_with_errors(&last.model, &found.steps, (&uneven, &free));
         let bodies: Vec<String> = (uneven.iter())
             .map(|&body| last.model.bodies[body].name.clone())
             .collect();
@@ -478,13 +506,14 @@ impl Climb<'_> {
         (found.findings).extend(has_uneven.then_some(Finding::SetsWithoutErrors { bodies }));
         found.findings.retain(|finding| !finding.is_within_errors());
         found.findings.extend(unlimited);
-        found.findings.extend(missed);
+        found.findings.extend(missed.into_iter().chain(unstated));
         let unchecked = geometry.failed.clone();
         (found.findings).extend(unchecked.map(|why| Finding::GeometryUnchecked { why }));
         let left_out = geometry.left_out.clone();
         (found.findings).extend(left_out.map(|why| Finding::GeometryLeftOut { why }));
         if last.model.request.failure.is_some() && geometry.failed.is_none() {
-            let parts = failure::parts(&last.numbers, &sum(&path.numbers, &geometry.errors));
+            let others = sum(&path.numbers, &geometry.errors.numbers);
+            let parts = failure::parts(&last.numbers, &others);
             let before = failure::before(levels, self.models.solver());
             let is_whole = !last.model.half && obstacle_to_half(self.scene).is_none();
             let mirror = |body| is_whole.then(|| last.model.across(body)).flatten();
@@ -493,11 +522,11 @@ impl Climb<'_> {
         stated::put(
             &mut found,
             last.numbers.steps,
-            errors,
+            errors.numbers,
             along,
             last.model.origin,
         );
-        sets.put(&mut found, &with_errors);
+        errors.sets.put(&mut found);
         geometry.explain(&mut found);
         found.ladder = Some(Ladder {
             asked: self.asked,

@@ -2,9 +2,9 @@
 
 use super::along::Along;
 use super::motions::Motions;
-use super::numbers::{Numbers, Table, difference, zipped};
+use super::numbers::{Estimates, Numbers, Table, difference, zipped};
 use stickslip_engine::model::ModelError;
-use stickslip_engine::results::{Results, Stated};
+use stickslip_engine::results::{Bounded, Results};
 use stickslip_engine::run::RunError;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::KinematicsChoice;
@@ -16,11 +16,9 @@ const FACTOR: f64 = 1.5;
 #[derive(Default)]
 pub(super) struct Geometry {
     /// What the deformed geometry would change, where contact is found on the undeformed one.
-    pub(super) errors: Table,
+    pub(super) errors: Estimates,
     /// The same at the nodes of edges.
     pub(super) along: Along,
-    /// The same of sets.
-    pub(super) sets: Motions,
     /// Why it was chosen, as the reason of a choice; empty where the scene chose.
     pub(super) reason: String,
     /// Whether the deformed one was chosen.
@@ -64,19 +62,21 @@ impl Geometry {
     /// What deformed gaps may change, by the difference that they make on one model.
     pub(super) fn renew(&mut self, small: &Numbers, deformed: &Numbers) {
         let difference = difference(deformed, small);
-        self.errors = zipped(&difference, &Table::new(), |error, _| Some(FACTOR * error?));
+        self.errors = Estimates {
+            numbers: zipped(&difference, &Table::new(), |error, _| Some(FACTOR * error?)),
+            sets: Motions::between(&small.sets, &deformed.sets).times(FACTOR),
+        };
         self.along = Along::between(small, deformed).times(FACTOR);
-        self.sets = Motions::between(&small.sets, &deformed.sets).times(FACTOR);
     }
 
     /// Why a geometry is chosen, by the largest change that the deformed one makes.
-    pub(super) fn reason(worst: Option<(f64, Stated)>, matters: bool) -> String {
-        let Some((error, stated)) = worst else {
+    pub(super) fn reason(worst: Option<(f64, Bounded)>, matters: bool) -> String {
+        let Some((error, number)) = worst else {
             return "deformed gaps change no number that an accuracy bounds".into();
         };
         let changes = format!(
             "deformed gaps change the {} by {:.2} %",
-            stated.describe(),
+            number.describe(),
             100.0 * error
         );
         if matters {

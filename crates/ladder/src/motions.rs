@@ -32,7 +32,7 @@ impl Motions {
         Self((0..steps).map(numbers).collect())
     }
 
-    fn get(&self, step: usize, set: usize, stated: SetStated) -> Option<f64> {
+    pub(super) fn get(&self, step: usize, set: usize, stated: SetStated) -> Option<f64> {
         self.0.get(step)?.get(set)?.get(stated)
     }
 
@@ -50,6 +50,50 @@ impl Motions {
         self.map(|step, set, stated| {
             let other = other.get(step, set, stated).unwrap_or(0.0);
             Some(self.get(step, set, stated)? + other)
+        })
+    }
+
+    /// Number of sets.
+    pub(super) fn count(&self) -> usize {
+        self.0.first().map_or(0, Vec::len)
+    }
+
+    /// Whether any set has a `stated` number in any step.
+    pub(super) fn have(&self, stated: SetStated) -> bool {
+        let mut all = self.0.iter().flatten();
+        all.any(|own| own.get(stated).is_some())
+    }
+
+    /// The largest `stated` number of the set with this index in any step.
+    pub(super) fn largest(&self, set: usize, stated: SetStated) -> f64 {
+        let values = (0..self.0.len()).filter_map(|step| self.get(step, set, stated));
+        values.fold(0.0, |most: f64, value| most.max(value.abs()))
+    }
+
+    /// The largest force on each set in any step.
+    pub(super) fn forces(&self) -> Vec<f64> {
+        let sets = 0..self.count();
+        sets.map(|set| self.largest(set, SetStated::Force))
+            .collect()
+    }
+
+    /// The part of these errors that are `left`, and the others.
+    pub(super) fn split(&self, left: &Self) -> (Self, Self) {
+        let part = self.map(|step, set, stated| {
+            left.get(step, set, stated)
+                .filter(|_| self.get(step, set, stated).is_some())
+        });
+        let others = self.map(|step, set, stated| {
+            Some(self.get(step, set, stated)? - part.get(step, set, stated).unwrap_or(0.0))
+        });
+        (part, others)
+    }
+
+    /// Those that `with_errors` says of every set, and no others.
+    pub(super) fn only(&self, with_errors: &[[bool; 4]]) -> Self {
+        self.map(|step, set, stated| {
+            let has_error = with_errors.get(set)?[stated as usize];
+            self.get(step, set, stated).filter(|_| has_error)
         })
     }
 
@@ -93,32 +137,21 @@ impl Motions {
         })
     }
 
-    /// Puts these errors into `found`, of every set those that `with_errors` says; none is below what rounding leaves of the largest force of all sets, and of the largest number of its own.
-    pub(super) fn put(&self, found: &mut Results, with_errors: &[[bool; 4]]) {
-        let numbers: Vec<Vec<Option<SetMotion>>> =
-            found.steps.iter().map(|step| step.sets.clone()).collect();
-        let numbers = Self::of(&numbers);
-        let steps = 0..numbers.0.len();
-        let largest = |set: usize, stated: SetStated| {
-            let values = steps
-                .clone()
-                .filter_map(|step| numbers.get(step, set, stated));
-            values.fold(0.0, |most: f64, value| most.max(value.abs()))
-        };
-        let sets = 0..with_errors.len();
-        let force = sets
-            .map(|set| largest(set, SetStated::Force))
-            .fold(0.0, f64::max);
-        let known = self.map(|step, set, stated| {
+    /// These errors, none of them below what rounding leaves of the largest force of all sets, and of the largest number of its own in `numbers`.
+    pub(super) fn above_rounding(&self, numbers: &Self) -> Self {
+        let force = numbers.forces().into_iter().fold(0.0, f64::max);
+        self.map(|step, set, stated| {
             let scale = match stated {
                 SetStated::Force => force,
-                _ => largest(set, stated),
+                _ => numbers.largest(set, stated),
             };
-            let has_error = with_errors.get(set)?[stated as usize];
-            let error = self.get(step, set, stated).filter(|_| has_error)?;
-            Some(error.max(ROUNDING * scale))
-        });
-        for (step, errors) in found.steps.iter_mut().zip(known.0) {
+            Some(self.get(step, set, stated)?.max(ROUNDING * scale))
+        })
+    }
+
+    /// Puts these errors into `found`.
+    pub(super) fn put(self, found: &mut Results) {
+        for (step, errors) in found.steps.iter_mut().zip(self.0) {
             step.set_errors = errors;
         }
     }

@@ -7,6 +7,13 @@ use stickslip_engine::results::{EdgeGeometry, EdgeResults, Errors, Stated};
 /// Errors per step, edge and number.
 pub(super) type Table = Vec<Vec<Errors>>;
 
+/// Estimated errors of the numbers of edges, and of those of sets.
+#[derive(Clone, Default)]
+pub(super) struct Estimates {
+    pub(super) numbers: Table,
+    pub(super) sets: Motions,
+}
+
 /// What a model says of its edges.
 pub(super) struct Numbers {
     pub(super) geometries: Vec<EdgeGeometry>,

@@ -11,7 +11,7 @@
 
 use super::along::Along;
 use super::motions::{self, Halving, Motions};
-use super::numbers::{Numbers, Table, difference, sum, zipped};
+use super::numbers::{Estimates, Numbers, Table, difference, sum, zipped};
 use super::rates::{error, of_four};
 use stickslip_engine::results::{EdgeResults, Errors, Stated};
 
@@ -35,6 +35,25 @@ pub(super) struct Left {
     pub(super) numbers: Table,
     pub(super) along: Along,
     pub(super) sets: Motions,
+}
+
+impl Left {
+    /// What these are of all `errors`, and the others. Numbers without a limit have no error, and do not count.
+    pub(super) fn part_of(&self, errors: &Estimates) -> (Estimates, Estimates) {
+        let numbers = zipped(&errors.numbers, &self.numbers, |own, left| {
+            left.filter(|_| own.is_some())
+        });
+        let others = zipped(&errors.numbers, &numbers, |own, left| {
+            Some(own? - left.unwrap_or(0.0))
+        });
+        let (sets, other_sets) = errors.sets.split(&self.sets);
+        let left = Estimates { numbers, sets };
+        let others = Estimates {
+            numbers: others,
+            sets: other_sets,
+        };
+        (left, others)
+    }
 }
 
 /// The same after some steps were halved.

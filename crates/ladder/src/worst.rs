@@ -1,9 +1,9 @@
 //! The error that is largest beside what is asked.
 
-use stickslip_engine::results::{EdgeResults, Stated};
+use stickslip_engine::results::{Bounded, EdgeResults, SetStated, Stated};
 use stickslip_scene::schema::Accuracy;
 
-use super::numbers::{Numbers, Table, balanced_friction};
+use super::numbers::{Estimates, Numbers, Table, balanced_friction};
 
 /// Numbers below this part of the largest of their history are measured by it.
 const SMALL: f64 = 1e-3;
@@ -11,27 +11,52 @@ const SMALL: f64 = 1e-3;
 #[derive(Clone, Copy)]
 pub(super) struct Worst {
     error: f64,
-    stated: Stated,
+    number: Bounded,
     /// The error over its bound.
     pub(super) part: f64,
 }
 
 impl Worst {
-    pub(super) fn named(self) -> (f64, Stated) {
-        (self.error, self.stated)
+    /// `error` of the `number` that is measured by `scale` and may have the relative error `bound`; `None` of what vanishes.
+    fn of(number: Bounded, error: f64, scale: f64, bound: f64) -> Option<Self> {
+        (scale > 0.0).then(|| Self {
+            error: error / scale,
+            number,
+            part: error / scale / bound,
+        })
+    }
+
+    pub(super) fn named(self) -> (f64, Bounded) {
+        (self.error, self.number)
+    }
+
+    fn is_larger(&self, other: &Self) -> std::cmp::Ordering {
+        self.part.total_cmp(&other.part)
     }
 }
 
-/// The relative error that is largest beside its bound of `accuracy`; of contacts, or where there are none of all edges.
-pub(super) fn worst(level: &Numbers, errors: &Table, accuracy: Accuracy) -> Option<Worst> {
+/// The relative error that is largest beside its bound of `accuracy`: of sets, and of contacts, or where there are none of all edges.
+pub(super) fn worst(level: &Numbers, errors: &Estimates, accuracy: Accuracy) -> Option<Worst> {
     let steps = 0..level.steps.len();
     let all = steps.filter_map(|step| worst_of_step(level, errors, accuracy, step));
-    all.max_by(|one, other| one.part.total_cmp(&other.part))
+    all.max_by(Worst::is_larger)
 }
 
-/// The same of the load step `step`. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, friction and stick by
-/// the largest of their history, and friction by no less than what may balance itself.
+/// The same of the load step `step`.
 pub(super) fn worst_of_step(
+    level: &Numbers,
+    errors: &Estimates,
+    accuracy: Accuracy,
+    step: usize,
+) -> Option<Worst> {
+    let edges = worst_of_edges(level, &errors.numbers, accuracy, step);
+    let sets = worst_of_sets(level, errors, accuracy, step);
+    edges.into_iter().chain(sets).max_by(Worst::is_larger)
+}
+
+/// The same of its edges. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, friction and stick by
+/// the largest of their history, and friction by no less than what may balance itself.
+pub(super) fn worst_of_edges(
     level: &Numbers,
     errors: &Table,
     accuracy: Accuracy,
@@ -42,7 +67,8 @@ pub(super) fn worst_of_step(
     let edges = edges.filter(|(_, geometry)| geometry.contact || !touches);
     let numbers = edges.flat_map(|(edge, _)| Stated::ALL.map(|stated| (edge, stated)));
     let part = |(edge, stated): (usize, Stated)| {
-        let bound = stated.bound(accuracy)?;
+        let number = Bounded::from(stated);
+        let bound = number.bound(accuracy)?;
         let error = errors.get(step)?.get(edge)?.get(stated)?;
         let size = |results: &EdgeResults| stated.value(results).map_or(0.0, f64::abs);
         let history = level.steps.iter().map(|step| size(&step[edge]));
@@ -63,12 +89,57 @@ pub(super) fn worst_of_step(
             }
             _ => size(own).max(SMALL * largest),
         };
-        (scale > 0.0).then(|| Worst {
-            error: error / scale,
-            stated,
-            part: error / scale / bound,
-        })
+        Worst::of(number, error, scale, bound)
     };
-    let parts = numbers.filter_map(part);
-    parts.max_by(|one, other| one.part.total_cmp(&other.part))
+    numbers.filter_map(part).max_by(Worst::is_larger)
+}
+
+/// What `accuracy` allows of the number `stated` of sets. One that names nothing bounds displacements where there are no edges.
+fn bound_of_set(level: &Numbers, stated: SetStated, accuracy: Accuracy) -> Option<f64> {
+    match accuracy {
+        Accuracy::Overall(error) => {
+            let is_all_there_is = level.geometries.is_empty() && stated == SetStated::Displacement;
+            is_all_there_is.then(|| error.share())
+        }
+        Accuracy::Named(_) => Bounded::from(stated).bound(accuracy),
+    }
+}
+
+/// The same of sets, whose numbers are measured by no less than a small part of the largest of all sets.
+fn worst_of_sets(
+    level: &Numbers,
+    errors: &Estimates,
+    accuracy: Accuracy,
+    step: usize,
+) -> Option<Worst> {
+    let part = |(set, stated): (usize, SetStated)| {
+        let bound = bound_of_set(level, stated, accuracy)?;
+        let error = errors.sets.get(step, set, stated)?;
+        let own = level.sets.get(step, set, stated)?.abs();
+        let all = (0..level.sets.count()).map(|set| level.sets.largest(set, stated));
+        let scale = own.max(SMALL * all.fold(0.0, f64::max));
+        Worst::of(stated.into(), error, scale, bound)
+    };
+    let sets = 0..errors.sets.count();
+    let numbers = sets.flat_map(|set| SetStated::ALL.map(|stated| (set, stated)));
+    numbers.filter_map(part).max_by(Worst::is_larger)
+}
+
+/// What `accuracy` bounds by its name, or alone where there are no edges, and has no error anywhere in `errors`.
+pub(super) fn unstated(level: &Numbers, errors: &Estimates, accuracy: Accuracy) -> Vec<Bounded> {
+    let has_error = |number: Bounded| match number {
+        Bounded::Edge(stated) => {
+            let mut edges = errors.numbers.iter().flatten();
+            edges.any(|own| own.get(stated).is_some())
+        }
+        Bounded::Set(stated) => errors.sets.have(stated),
+    };
+    let sets = SetStated::ALL.into_iter();
+    let sets = sets.filter(|&stated| bound_of_set(level, stated, accuracy).is_some());
+    let edges = Stated::ALL.into_iter().map(Bounded::from);
+    let edges = edges.filter(|number| {
+        matches!(accuracy, Accuracy::Named(_)) && number.bound(accuracy).is_some()
+    });
+    let asked = edges.chain(sets.map(Bounded::from));
+    asked.filter(|&number| !has_error(number)).collect()
 }

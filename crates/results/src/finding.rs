@@ -7,8 +7,8 @@ mod details;
 use serde::Serialize;
 use stickslip_scene::shape::FileNote;
 
+use super::ladder::LadderEnd;
 use super::quantity::Quantity;
-use super::stated::LadderEnd;
 
 pub use details::{
     CoarseLoadPath, CutBackEffect, FailedSolver, FreeBody, FreeMotion, FurtherSolvers,
@@ -140,6 +140,11 @@ pub enum Finding {
     EccentricLayers {
         /// The fasteners.
         fasteners: Vec<String>,
+    },
+    /// The accuracy of numbers is asked for of which no error can be stated.
+    AccuracyUnstated {
+        /// The numbers.
+        numbers: Vec<&'static str>,
     },
     /// The accuracy that is asked for is not reached.
     AccuracyMissed {

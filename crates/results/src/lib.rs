@@ -7,6 +7,7 @@ mod failure;
 mod fastener;
 mod finding;
 mod frame;
+mod ladder;
 mod nodes;
 mod placed;
 mod problem;
@@ -38,6 +39,7 @@ pub use finding::{
     FurtherSolvers, JointFinding, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };
 pub use frame::{BearingSource, ContactFrame, wrapped};
+pub use ladder::{Bounded, Ladder, LadderEnd, Rung};
 pub use nodes::{Nodes, Values, joined, values};
 pub use problem::{Acting, Problem, Site, SitePart};
 pub use progressive::{
@@ -45,7 +47,7 @@ pub use progressive::{
 };
 pub use quantity::Quantity;
 pub use sharing::LoadShare;
-pub use stated::{Errors, Ladder, LadderEnd, RowErrors, Rung, Stated};
+pub use stated::{Errors, RowErrors, Stated};
 pub use stresses::{BodyStresses, StressPeak, principal, von_mises};
 pub use zones::ZoneRange;
 

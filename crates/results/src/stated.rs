@@ -1,7 +1,4 @@
-//! The numbers of an edge that are stated with an error, and the rungs by which the errors were found.
-
-use serde::Serialize;
-use stickslip_scene::schema::{Accuracy, RelativeError};
+//! The numbers of an edge that are stated with an error.
 
 /// What must be known of a number to estimate its error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,25 +82,6 @@ impl Stated {
         Self::FrictionForce,
     ];
 
-    /// The relative error of it that `accuracy` allows; `None` where that does not bound it.
-    pub fn bound(self, accuracy: Accuracy) -> Option<f64> {
-        let named = match accuracy {
-            Accuracy::Overall(error) => return Self::ASKED.contains(&self).then(|| error.share()),
-            Accuracy::Named(bounds) => bounds,
-        };
-        let error = match self {
-            Self::PeakPressure => named.peak_pressure,
-            Self::PeakHoop => named.peak_hoop,
-            Self::ContactExtent => named.contact_extent,
-            Self::StickExtent => named.stick_extent,
-            Self::FrictionForce => named.friction_force,
-            Self::NormalForce => named.normal_force,
-            Self::HoopAtBearing => named.hoop_at_bearing,
-            _ => None,
-        };
-        error.map(RelativeError::share)
-    }
-
     /// Whether it is that of a node, and so known to half of their spacing at best.
     pub fn is_of_nodes(self) -> bool {
         self.nature().contains(&Nature::OfNodes)
@@ -151,73 +129,4 @@ pub struct RowErrors {
     pub shear: f64,
     /// Of σ_θ or σ_xx.
     pub sigma_tangential: f64,
-}
-
-/// A model that was tried on the way to an accuracy.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Rung {
-    /// How it is divided: "series, 61 nodes".
-    pub model: String,
-    /// Increments of each load step.
-    pub increments: Vec<usize>,
-    /// The relative error of what is asked for that is largest beside its bound, and what has it; `None` of the first rung, which has no coarser one to compare with, and of one that was stopped.
-    pub error: Option<(f64, Stated)>,
-    /// Wall time `[s]`.
-    pub seconds: f64,
-    /// Whether it was given up because the budget was spent.
-    pub stopped: bool,
-}
-
-impl Rung {
-    /// Largest number of increments of a load step.
-    pub fn most_increments(&self) -> usize {
-        self.increments.iter().copied().max().unwrap_or(1)
-    }
-}
-
-/// How an accuracy was sought.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Ladder {
-    /// What was asked for; `None` where only errors were.
-    pub asked: Option<Accuracy>,
-    /// What was tried, in this order; the results are those of the last one that was not stopped.
-    pub rungs: Vec<Rung>,
-    /// Why the climb ended there.
-    pub end: LadderEnd,
-}
-
-/// Why no finer model was tried.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LadderEnd {
-    /// The estimated errors meet what was asked.
-    Reached,
-    /// The division is pinned by the scene.
-    #[default]
-    Pinned,
-    /// The budget is spent.
-    Budget,
-    /// A finer model would take more memory than it may.
-    Memory,
-    /// The finest model that is tried.
-    Finest,
-    /// What the increments of load steps leave is too much, and nearly all.
-    LoadPath,
-    /// No error is stated: what gaps on the deformed geometry would change was to be found and was not.
-    Unchecked,
-}
-
-impl LadderEnd {
-    /// Its name in `summary.json`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Reached => "reached",
-            Self::Pinned => "pinned",
-            Self::Budget => "budget",
-            Self::Memory => "memory",
-            Self::Finest => "finest",
-            Self::LoadPath => "load_path",
-            Self::Unchecked => "unchecked",
-        }
-    }
 }

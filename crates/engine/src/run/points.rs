@@ -1,5 +1,9 @@
 //! Sets whose displacement or force has no limit with finer cells: single points of elements give way by the more the smaller the cells are.
 
+use stickslip_contact::freedom;
+use stickslip_contact::interface::Part;
+
+use super::solved::Solved;
 use crate::model::{Mean, Measure, Model, ModelSet, parts};
 use crate::results::{Finding, SetStated, StepResults};
 
@@ -16,17 +20,14 @@ struct Points<'a> {
 }
 
 impl<'a> Points<'a> {
-    fn of(model: &'a Model, steps: &[StepResults]) -> Self {
-        let force = |set: usize| {
-            let motions = steps.iter().filter_map(|step| *step.sets.get(set)?);
-            motions.fold(0.0, |most: f64, own| most.max(own.force.abs()))
-        };
+    /// Those of `model`, whose sets take forces up to `forces`.
+    fn of(model: &'a Model, forces: &[f64]) -> Self {
         let all = 0..model.sets.len();
-        let largest = all.clone().map(force).fold(0.0, f64::max);
+        let largest = forces.iter().copied().fold(0.0, f64::max);
         let takes = |&set: &usize| {
             let own = &model.sets[set];
             let is_load = matches!(own.measure, Measure::Load { .. });
-            !is_load && is_point(model, own) && force(set) > ROUNDING * largest
+            !is_load && is_point(model, own) && forces[set] > ROUNDING * largest
         };
         Self {
             model,
@@ -83,29 +84,28 @@ fn is_point(model: &Model, set: &ModelSet) -> bool {
     body.elastic().is_some() && body.series.is_none() && nodes == 1
 }
 
-/// The bodies that `findings` say to move as a whole without resistance, alone or together.
-pub fn free_bodies(model: &Model, findings: &[Finding]) -> Vec<usize> {
-    let is_free = |name: &String| {
-        findings.iter().any(|finding| match finding {
-            Finding::FreeBody(own) => own.body == *name,
-            Finding::FreeTogether { bodies, .. } => bodies.contains(name),
-            _ => false,
-        })
+/// The bodies that move as a whole without resistance, alone or together.
+fn free_bodies(solved: &Solved) -> Vec<usize> {
+    let parts = solved.interface.parts().iter();
+    let of_part = |part: &Part| {
+        let free = freedom::free_bodies(part.problem()).into_iter();
+        let bodies: Vec<usize> = free.map(|own| part.group().bodies[own.body]).collect();
+        bodies
     };
-    let bodies = 0..model.bodies.len();
-    bodies
-        .filter(|&body| is_free(&model.bodies[body].name))
-        .collect()
+    parts.flat_map(of_part).collect()
 }
 
 /// Which numbers of the sets of `model` can have an error, in the order of [`SetStated::ALL`]: those that are not given, have a limit, and depend neither on the bodies
-/// `uneven`, of which finer models have some cells alone that are smaller, nor on where the bodies `free` have been left under several loads.
+/// `uneven`, of which finer models have some cells alone that are smaller, nor on where bodies that nothing holds have been left under several loads. `forces` are the largest
+/// ones `[N]` that sets take in the history `solved`.
 pub fn numbers_with_errors(
     model: &Model,
-    steps: &[StepResults],
-    (uneven, free): (&[usize], &[usize]),
+    solved: &Solved,
+    forces: &[f64],
+    uneven: &[usize],
 ) -> Vec<[bool; 4]> {
-    let points = Points::of(model, steps);
+    let points = Points::of(model, forces);
+    let free = free_bodies(solved);
     let of_set = |own: &ModelSet| {
         let mut linked = points
             .parts
@@ -134,13 +134,22 @@ pub fn numbers_with_errors(
     model.sets.iter().map(of_set).collect()
 }
 
+/// Largest force on each set in `steps` `[N]`.
+fn largest_forces(model: &Model, steps: &[StepResults]) -> Vec<f64> {
+    let force = |set: usize| {
+        let motions = steps.iter().filter_map(|step| *step.sets.get(set)?);
+        motions.fold(0.0, |most: f64, own| most.max(own.force.abs()))
+    };
+    (0..model.sets.len()).map(force).collect()
+}
+
 /// That displacements under loads hang on points, unless a finding says already that these share the load.
 pub(super) fn finding(model: &Model, steps: &[StepResults]) -> Option<Finding> {
     let is_said = |own: &Finding| matches!(own, Finding::PointSupports { .. });
     if model.findings.iter().any(is_said) {
         return None;
     }
-    let points = Points::of(model, steps);
+    let points = Points::of(model, &largest_forces(model, steps));
     let (mut bodies, mut loads) = (Vec::new(), Vec::new());
     for own in &model.sets {
         let hangs = points.of_part(own).next().is_some();

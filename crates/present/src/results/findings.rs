@@ -6,6 +6,7 @@ mod joint;
 mod lists;
 mod points;
 
+use lists::listed;
 pub(super) use lists::load_steps;
 pub use lists::quoted;
 use std::collections::BTreeMap;
@@ -101,6 +102,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             format!("Stated errors leave out what the displacements change in the gaps: {why}.")
         }
         Finding::GeometryUnchecked { why } => geometry_unchecked(why),
+        Finding::AccuracyUnstated { numbers } => accuracy_unstated(numbers),
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, *end),
         Finding::ContactParts { steps } => format!(
             "In an increment of {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
@@ -168,6 +170,14 @@ fn geometry_unchecked(why: &str) -> String {
     )
 }
 
+fn accuracy_unstated(numbers: &[&str]) -> String {
+    format!(
+        "The accuracy asked for is not known to be reached: no error can be stated of {}. Other notes say why, or the scene has no such number; \
+         remove it from analysis.accuracy, or compare with a finer mesh.",
+        listed(numbers.iter().map(|own| format!("the {own}")).collect())
+    )
+}
+
 fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
     let why = match end {
         LadderEnd::Budget => {
@@ -183,7 +193,7 @@ fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
             "what the increments of load steps leave is nearly all of it, so that no finer nodes are tried: ask for less, or for the numbers that matter \
              (analysis.accuracy = { peak_pressure = … }), or prescribe more increments (analysis.substeps)"
         }
-        LadderEnd::Reached | LadderEnd::Finest | LadderEnd::Unchecked => {
+        LadderEnd::Reached | LadderEnd::Finest | LadderEnd::Unchecked | LadderEnd::Unstated => {
             "no finer model is tried: ask for less, or for the numbers that matter (analysis.accuracy = { peak_pressure = … })"
         }
     };

@@ -22,7 +22,7 @@ use super::stresses;
 use super::zones::{contact_reach, stick_ranges};
 use fit::fitted;
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodySummary, Choice, LadderEnd, Results, Rung, Stated};
+use stickslip_engine::results::{BodySummary, Bounded, Choice, LadderEnd, Results, Rung, Stated};
 use stickslip_scene::schema::Accuracy;
 use stickslip_text::{decimals, short, significant};
 
@@ -302,10 +302,8 @@ fn describe(asked: Accuracy) -> String {
     if let Accuracy::Overall(error) = asked {
         return percent(error.share());
     }
-    let named = Stated::ALL.into_iter().filter_map(|stated| {
-        let bound = stated.bound(asked)?;
-        Some(format!("{} {}", stated.describe(), percent(bound)))
-    });
+    let named = Bounded::all(asked)
+        .map(|(number, bound)| format!("{} {}", number.describe(), percent(bound)));
     named.collect::<Vec<_>>().join(", ")
 }
 
@@ -317,6 +315,7 @@ fn end(end: LadderEnd) -> &'static str {
         LadderEnd::Memory => "not reached within the memory",
         LadderEnd::Finest => "not reached by the finest model that is tried",
         LadderEnd::LoadPath => "not reached: the increments of load steps leave more",
+        LadderEnd::Unstated => "not known: no error can be stated of a number that is asked for",
         LadderEnd::Unchecked => "not known: gaps on the deformed geometry were not found",
     }
 }

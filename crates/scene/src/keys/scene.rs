@@ -63,9 +63,9 @@ pub(super) const TABLES: &[Table] = &[
             contact spreads fastest; the same of what a later step adds if it begins with all points open; others are linear"),
         words("accuracy", "percentage or number, 1e-8 to 0.5, or a table of these", "`\"1 %\"` without a mesh", r#"{ peak_pressure = "0.1 %" }"#,
             "largest relative error that is asked for; bodies and steps are divided until the estimated errors of peak pressure, peak \
-            tangential stress, extent of contact and friction force are below it; or those of the numbers that a table names, each \
+            tangential stress, extent of contact and friction force, or of displacements in a scene without edges, are below it; or those of the numbers that a table names, each \
             with its own: `peak_pressure`, `peak_hoop`, `contact_extent`, `stick_extent`, `friction_force`, `normal_force`, \
-            `hoop_at_bearing`"),
+            `hoop_at_bearing`, `displacement` and `stiffness` of what is loaded, `tangent_stiffness`, `reaction`"),
         words("budget", "time", r#"`"60 s"` without `accuracy`, no limit with it"#, r#""10 s""#,
             "time after which no finer model is tried, and one that is not ready is given up; the result then states the error that it has; needs `accuracy`"),
         words("memory", "memory", r#"`"4 GB"`"#, r#""16 GB""#,

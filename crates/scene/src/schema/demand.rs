@@ -27,13 +27,13 @@ pub struct RelativeError(f64);
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Accuracy {
-    /// One for peak pressure, peak tangential stress, extent of contact and friction force.
+    /// One for peak pressure, peak tangential stress, extent of contact and friction force; of a scene without edges, for displacements of what is loaded.
     Overall(RelativeError),
     /// Those of named numbers; others are not bounded.
     Named(Bounds),
 }
 
-/// Errors of numbers of a contact that are asked for, under the names that scenes give them.
+/// Errors of numbers of contacts, loads and supports that are asked for, under the names that scenes give them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Bounds {
@@ -58,6 +58,18 @@ pub struct Bounds {
     /// Tangential stress at the bearing point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hoop_at_bearing: Option<RelativeError>,
+    /// Displacement of what is loaded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub displacement: Option<RelativeError>,
+    /// Force over displacement of what is loaded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<RelativeError>,
+    /// The same of their changes from step to step.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tangent_stiffness: Option<RelativeError>,
+    /// Force of a support.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reaction: Option<RelativeError>,
 }
 
 /// Time that a run may take: `"10 s"`.
@@ -100,6 +112,10 @@ impl Bounds {
             ("friction_force", self.friction_force),
             ("normal_force", self.normal_force),
             ("hoop_at_bearing", self.hoop_at_bearing),
+            ("displacement", self.displacement),
+            ("stiffness", self.stiffness),
+            ("tangent_stiffness", self.tangent_stiffness),
+            ("reaction", self.reaction),
         ];
         all.into_iter()
             .filter_map(|(name, error)| Some((name, error?)))

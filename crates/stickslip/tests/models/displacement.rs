@@ -166,7 +166,7 @@ fn a_rigid_pin_moves_by_what_the_plate_gives() {
     }
 }
 
-const ELEMENTS: [&str; 2] = ["bodies.plate.model=elements", "bodies.pin.model=elements"];
+pub(super) const ELEMENTS: [&str; 2] = ["bodies.plate.model=elements", "bodies.pin.model=elements"];
 
 /// Displacements and stiffness of series lie within both errors of those of elements, which share nothing with them but the scene.
 #[test]

@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
-use stickslip::results::{EdgeRow, Finding, LadderEnd, Results, Stated};
+use stickslip::results::{Bounded, EdgeRow, Finding, LadderEnd, Results, SetStated, Stated};
 
-use super::series::PIN;
+use super::displacement::ELEMENTS;
+use super::series::{PIN, without_mesh};
 use super::{difference, solved};
 
 /// A frictional pin that is loaded and unloaded, in increments of the program.
@@ -122,28 +123,106 @@ fn a_named_number_alone_decides() {
     let ladder = named.ladder.unwrap();
     assert_eq!(ladder.end, LadderEnd::Reached);
     let mut errors = ladder.rungs.iter().filter_map(|rung| rung.error);
-    assert!(errors.all(|(_, of)| of == Stated::ContactExtent));
+    assert!(errors.all(|(_, of)| of == Stated::ContactExtent.into()));
+}
+
+/// Nodes are divided until a stiffness is as accurate as asked, and the truth, of a far finer answer, lies within its error.
+#[test]
+fn a_stiffness_is_as_accurate_as_asked() {
+    let text = PIN.replace("substeps = 1\n", "");
+    let section = r#"supports.0={ on = "pin.section", fix = ["x", "y"] }"#;
+    for model in [&[][..], &ELEMENTS] {
+        let by = |error: &str| {
+            let accuracy = format!("analysis.accuracy={{ stiffness = \"{error}\" }}");
+            solved(&text, &[&[section, &accuracy], model].concat())
+        };
+        let truth = by("0.02 %");
+        for asked in ["2 %", "0.1 %"] {
+            let found = by(asked);
+            let ladder = found.ladder.as_ref().unwrap();
+            assert_eq!(ladder.end, LadderEnd::Reached, "{asked}");
+            let stiffness = Bounded::from(SetStated::Secant);
+            let bound = stiffness.bound(ladder.asked.unwrap()).unwrap();
+            let mut named = ladder.rungs.iter().filter_map(|rung| rung.error);
+            assert!(named.all(|(_, of)| of == stiffness));
+            for step in 0..3 {
+                let [own, exact] = [&found, &truth].map(|all| {
+                    let value = all.set_numbers(0, step).get(SetStated::Secant).unwrap();
+                    (
+                        value,
+                        all.set_errors(0, step).get(SetStated::Secant).unwrap(),
+                    )
+                });
+                assert!(own.1 <= bound * own.0, "{asked} {step}: {own:?}");
+                assert!(
+                    (own.0 - exact.0).abs() <= own.1 + exact.1,
+                    "{asked} {step}: {own:?} {exact:?}"
+                );
+            }
+        }
+    }
+}
+
+/// A plate without edges has nothing but displacements and reactions that could be accurate.
+#[test]
+fn without_edges_an_accuracy_bounds_displacements() {
+    let text = without_mesh("scenes/open-hole.toml");
+    let text = text.replace("[[edges]]\non = \"plate.hole\"", "");
+    for asked in [0.01, 1e-4] {
+        let found = solved(&text, &[&format!("analysis.accuracy={asked}")]);
+        let ladder = found.ladder.as_ref().unwrap();
+        let error = ladder.rungs.last().and_then(|rung| rung.error);
+        let (error, number) = error.unwrap();
+        assert_eq!(ladder.end, LadderEnd::Reached);
+        assert!(error <= asked && number == SetStated::Displacement.into());
+    }
+}
+
+/// A named number that can have no error is not reached, however accurate the others are.
+#[test]
+fn what_has_no_error_is_not_reached() {
+    let text = PIN.replace("substeps = 1\n", "");
+    for (accuracy, numbers) in [
+        (
+            r#"{ contact_extent = "10 %", displacement = "10 %" }"#,
+            &["displacement"][..],
+        ),
+        (
+            r#"{ displacement = "10 %", stiffness = "10 %" }"#,
+            &["displacement", "stiffness"],
+        ),
+    ] {
+        let accuracy = format!("analysis.accuracy={accuracy}");
+        let found = solved(&text, &[&[accuracy.as_str()], &ELEMENTS[..]].concat());
+        assert_eq!(found.ladder.as_ref().unwrap().end, LadderEnd::Unstated);
+        let is_said = |own: &Finding| matches!(own, Finding::AccuracyUnstated { numbers: own } if own == numbers);
+        assert!(found.findings.iter().any(is_said), "{:?}", found.findings);
+    }
+    let reaction = r#"analysis.accuracy={ reaction = "1 %" }"#;
+    let found = solved(&text, &[reaction]);
+    assert_eq!(found.ladder.unwrap().end, LadderEnd::Reached);
 }
 
 /// Every name bounds its own number.
 #[test]
 fn each_name_bounds_its_number() {
     for (name, stated) in [
-        ("peak_pressure", Stated::PeakPressure),
-        ("peak_hoop", Stated::PeakHoop),
-        ("contact_extent", Stated::ContactExtent),
-        ("stick_extent", Stated::StickExtent),
-        ("friction_force", Stated::FrictionForce),
-        ("normal_force", Stated::NormalForce),
-        ("hoop_at_bearing", Stated::HoopAtBearing),
+        ("peak_pressure", Bounded::Edge(Stated::PeakPressure)),
+        ("peak_hoop", Bounded::Edge(Stated::PeakHoop)),
+        ("contact_extent", Bounded::Edge(Stated::ContactExtent)),
+        ("stick_extent", Bounded::Edge(Stated::StickExtent)),
+        ("friction_force", Bounded::Edge(Stated::FrictionForce)),
+        ("normal_force", Bounded::Edge(Stated::NormalForce)),
+        ("hoop_at_bearing", Bounded::Edge(Stated::HoopAtBearing)),
+        ("displacement", Bounded::Set(SetStated::Displacement)),
+        ("stiffness", Bounded::Set(SetStated::Secant)),
+        ("tangent_stiffness", Bounded::Set(SetStated::Tangent)),
+        ("reaction", Bounded::Set(SetStated::Force)),
     ] {
         let scene = super::scene(PIN, &[&format!("analysis.accuracy={{ {name} = \"3 %\" }}")]);
         let accuracy = scene.analysis.accuracy.unwrap();
-        let bounded = Stated::ALL
-            .into_iter()
-            .filter(|own| own.bound(accuracy).is_some());
-        assert_eq!(bounded.collect::<Vec<_>>(), [stated], "{name}");
-        assert_eq!(stated.bound(accuracy), Some(0.03));
+        let bounded: Vec<_> = Bounded::all(accuracy).collect();
+        assert_eq!(bounded, [(stated, 0.03)], "{name}");
         // What `check` prints is read again.
         assert_eq!(
             super::scene(scene.resolved(), &[]).analysis.accuracy,

@@ -164,6 +164,9 @@ fn of_errors() -> Vec<Finding> {
             error: 0.0662,
             end: LadderEnd::Finest,
         },
+        Finding::AccuracyUnstated {
+            numbers: vec!["displacement", "stiffness"],
+        },
         Finding::GeometryLeftOut {
             why: "contact 'pin' is tied by a mortar projection".into(),
         },

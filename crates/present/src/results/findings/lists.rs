@@ -3,7 +3,11 @@
 /// "'a', 'b' and 'c'".
 pub fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
     let quoted = names.into_iter().map(|name| format!("'{}'", name.as_ref()));
-    let mut names: Vec<String> = quoted.collect();
+    listed(quoted.collect())
+}
+
+/// "a, b and c".
+pub(in crate::results) fn listed(mut names: Vec<String>) -> String {
     let last = names.pop().unwrap_or_default();
     if names.is_empty() {
         last
