@@ -140,17 +140,27 @@ impl Model {
         let ends = contacts.interfaces.into_iter().zip(contacts.rigid_points);
         let body = |(index, (interface, points)): (usize, (Vec<usize>, Vec<Point>))| {
             let own = &plan.bodies[index];
-            let singular = match meshes.get(&index) {
-                Some(mesh) => singular::places(&plan, index, mesh).map_err(|cause| {
-                    let body = own.name.to_owned();
-                    ModelError::Mesh { body, cause }
-                })?,
-                None => Vec::new(),
+            let across = own.shape.mirror().filter(|_| half);
+            let axis = across.map(|coordinate| singular::Axis {
+                coordinate,
+                at: own.centre[coordinate],
+            });
+            let of_mesh = |cause| ModelError::Mesh {
+                body: own.name.to_owned(),
+                cause,
+            };
+            let (singular, sheared) = match meshes.get(&index) {
+                Some(mesh) => (
+                    singular::places(&plan, index, mesh, axis).map_err(of_mesh)?,
+                    singular::sheared(&plan, index, mesh, axis).map_err(of_mesh)?,
+                ),
+                None => Default::default(),
             };
             Ok(ModelBody {
                 name: own.name.to_owned(),
-                across: own.shape.mirror().filter(|_| half),
+                across,
                 singular,
+                sheared,
                 corners: (meshes.get(&index))
                     .map_or_else(Vec::new, |mesh| singular::corners(&plan, index, mesh)),
                 yield_stress: own.elastic.and_then(|own| own.material.yield_stress()),

@@ -313,7 +313,7 @@ fn findings(
     findings.extend(seats::findings(model, solved));
     findings.extend(doubts::of_outlines(model, edges, steps));
     findings.extend(stresses::large_strains(model, edges, steps));
-    findings.extend(points::finding(model, steps));
+    findings.extend(points::findings(model, steps));
     findings
 }
 

@@ -7,6 +7,7 @@
 //! r is the part that a change should be of the one before: ½ with equal spacings, ¼ with graded ones. Changes of stress and force are compared
 //! between steps as parts of the peak pressure and of the normal force. [`factor`] has k.
 
+use super::limits::{Missing, STEEP};
 use super::numbers::{Numbers, Table, difference};
 use super::places::{peak_at, reach};
 use stickslip_engine::results::{ContactFinding, EdgeGeometry, Errors, Finding, Nodes, Stated};
@@ -19,8 +20,6 @@ const LEAST: f64 = 0.1;
 const FITTED: f64 = 3.5;
 /// Numbers that a fit between nodes would give are off by so many times what models estimate, where the nodes themselves have to do.
 const NODAL: f64 = 1.7;
-/// Where a support ends, a stress without a limit grows by more than this part of itself with a division twice as fine: at a corner of 90° by a sixth.
-const STEEP: f64 = 0.05;
 /// Part of the largest pressure, times the square of the spacing over the half extent of contact, by which it is off at least: up to two thirds of that it was along smooth
 /// noses from 13 to 20 nodes.
 const UNRESOLVED: f64 = 0.6;
@@ -63,6 +62,7 @@ pub(super) fn errors(levels: &[&Numbers], nodes: Spaced) -> Table {
     };
     let changes = Changes {
         fine,
+        coarse,
         last,
         before,
         nodes,
@@ -78,38 +78,81 @@ pub(super) fn errors(levels: &[&Numbers], nodes: Spaced) -> Table {
 
 /// What a reader must know of the numbers `of` that have no limit, and so no error among `errors`.
 pub(super) fn findings(of: &Numbers, errors: &Table) -> Vec<Finding> {
-    let finding = |(edge, geometry): (usize, &EdgeGeometry)| {
-        let (mut steps, mut numbers) = (Vec::new(), Vec::new());
-        for (step, errors) in errors.iter().enumerate() {
-            let missing = of.missing[step][edge];
-            let own = Stated::ALL.into_iter().filter(|&stated| {
-                missing.concern(stated)
-                    && !missing.are_of_a_corner()
-                    && errors[edge].get(stated).is_none()
-                    && stated.value(&of.steps[step][edge]).is_some()
-            });
-            for stated in own {
-                if steps.last() != Some(&(step + 1)) {
-                    steps.push(step + 1);
-                }
-                if !numbers.contains(&stated.describe()) {
-                    numbers.push(stated.describe());
-                }
-            }
-        }
-        let is_empty = steps.is_empty();
-        let name = &geometry.name;
-        (!is_empty).then(|| {
+    let edges = of.geometries.iter().enumerate();
+    edges
+        .flat_map(|(edge, geometry)| {
             if geometry.contact {
-                Finding::about(name, ContactFinding::NoLimit { steps, numbers })
+                of_contact(of, errors, (edge, geometry))
+                    .into_iter()
+                    .collect()
             } else {
-                let edge = name.clone();
-                Finding::NoLimitAtSupport { edge, steps }
+                of_free_edge(of, errors, (edge, geometry))
             }
         })
+        .collect()
+}
+
+/// Whether the number `stated` of an edge has no error in the step.
+fn has_no_error(of: &Numbers, errors: &Table, [step, edge]: At, stated: Stated) -> bool {
+    errors[step][edge].get(stated).is_none() && stated.value(&of.steps[step][edge]).is_some()
+}
+
+fn of_contact(
+    of: &Numbers,
+    errors: &Table,
+    (edge, geometry): (usize, &EdgeGeometry),
+) -> Option<Finding> {
+    let (mut steps, mut numbers) = (Vec::new(), Vec::new());
+    for step in 0..errors.len() {
+        let missing = of.missing[step][edge];
+        let own = Stated::ALL.into_iter().filter(|&stated| {
+            missing.concern(stated)
+                && !missing.are_of_a_corner()
+                && has_no_error(of, errors, [step, edge], stated)
+        });
+        for stated in own {
+            if steps.last() != Some(&(step + 1)) {
+                steps.push(step + 1);
+            }
+            if !numbers.contains(&stated.describe()) {
+                numbers.push(stated.describe());
+            }
+        }
+    }
+    let finding = ContactFinding::NoLimit { steps, numbers };
+    let is_any = !matches!(&finding, ContactFinding::NoLimit { steps, .. } if steps.is_empty());
+    is_any.then(|| Finding::about(&geometry.name, finding))
+}
+
+fn of_free_edge(
+    of: &Numbers,
+    errors: &Table,
+    (edge, geometry): (usize, &EdgeGeometry),
+) -> Vec<Finding> {
+    let steps_with = |is_why: fn(Missing, Stated) -> bool| -> Option<Vec<usize>> {
+        let is_one = |&step: &usize| {
+            Stated::ALL.into_iter().any(|stated| {
+                is_why(of.missing[step][edge], stated)
+                    && has_no_error(of, errors, [step, edge], stated)
+            })
+        };
+        let steps: Vec<usize> = (0..errors.len())
+            .filter(is_one)
+            .map(|step| step + 1)
+            .collect();
+        (!steps.is_empty()).then_some(steps)
     };
-    let edges = of.geometries.iter().enumerate();
-    edges.filter_map(finding).collect()
+    let of_support = steps_with(Missing::is_of_a_support);
+    let of_load = steps_with(Missing::is_of_a_load);
+    let of_support = of_support.map(|steps| Finding::NoLimitAtSupport {
+        edge: geometry.name.clone(),
+        steps,
+    });
+    let of_load = of_load.map(|steps| Finding::NoValueAtLoadEnd {
+        edge: geometry.name.clone(),
+        steps,
+    });
+    of_support.into_iter().chain(of_load).collect()
 }
 
 /// A step and an edge.
@@ -117,6 +160,7 @@ type At = [usize; 2];
 
 struct Changes<'a> {
     fine: &'a Numbers,
+    coarse: &'a Numbers,
     last: Table,
     before: Table,
     nodes: Spaced,
@@ -137,9 +181,12 @@ impl Changes<'_> {
                 last > Some(0.5 * before)
             } else {
                 let value = stated.value(&self.fine.steps[at[0]][at[1]]);
-                limits.are_of_a_support() && last > value.map(|value| STEEP * value.abs())
+                limits.is_of_a_support(stated) && last > value.map(|value| STEEP * value.abs())
             };
-            if limits.concern(stated) && (grows || limits.are_of_a_corner()) {
+            let is_certain = limits.are_of_a_corner() || limits.is_of_a_load(stated);
+            let is_peak = matches!(stated, Stated::PeakHoop | Stated::PeakHoopPlace);
+            let may_rise = limits.may_rise(self.coarse.missing[at[0]][at[1]]);
+            if limits.concern(stated) && (grows || is_certain) || is_peak && may_rise {
                 return None;
             }
             let error = self.error(at, stated)?;

@@ -3,22 +3,31 @@
 //! Where the friction of two neighbouring points differs by a jump, the tangential stress between them is infinite like the logarithm of the distance:
 //! at a place from where slip leads away on both sides without a stick zone, and at an end of stick where friction drops when slip begins.
 //! With bodies of unlike elasticity the pressure is infinite there too. At an end of a supported edge, at a point that is held, and at a
-//! re-entrant corner, stress is infinite without any contact.
+//! re-entrant corner, stress is infinite without any contact. Where a traction along an edge ends it depends on the side from which one comes.
 
 use stickslip_contact::{Contacts, Status, StepRecord};
 
 use stickslip_engine::model::Model;
 use stickslip_engine::results::{EdgeGeometry, EdgeResults, EdgeRow, Stated};
 
+/// Part of the largest stress along an edge, in size, below which the largest pull is what cells leave of none.
+const SMALL: f64 = 1e-3;
+/// Part by which stress where a support ends grows at least from one division to the next, if it has no limit.
+pub(super) const STEEP: f64 = 0.05;
+/// Part of the largest stress along an edge from which that at the end of a support may become the largest with finer cells.
+const GROWS: f64 = 0.3;
+
 /// Which numbers of an edge in a step have no limit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Missing {
-    /// The stress at the bearing point.
-    bearing: bool,
+    /// The stress at the bearing point, and why.
+    bearing: Option<Cause>,
     /// The largest stress, and why.
     hoop: Option<Cause>,
     /// The largest pressure.
     pressure: bool,
+    /// The stress at the end of a support `[MPa]`, if finer cells may have their largest one there.
+    end: Option<f64>,
 }
 
 /// Why the largest stress along an edge has no limit.
@@ -28,6 +37,8 @@ enum Cause {
     Friction,
     /// It is where a support ends.
     Support,
+    /// It is where a traction along an edge ends.
+    Load,
     /// It is where a corner of a body presses, or at a re-entrant one.
     Corner,
 }
@@ -41,10 +52,7 @@ impl Missing {
         (edge, geometry, results): (usize, &EdgeGeometry, &EdgeResults),
     ) -> Self {
         let Some(pair) = model.edges[edge].pair else {
-            return Self {
-                hoop: of_free_edge(model, edge, results),
-                ..Self::default()
-            };
+            return of_free_edge(model, (edge, geometry), results);
         };
         if model.edges[edge]
             .corners_that_press(&results.rows)
@@ -53,7 +61,7 @@ impl Missing {
             return Self {
                 hoop: Some(Cause::Corner),
                 pressure: true,
-                bearing: false,
+                ..Self::default()
             };
         }
         let drops = || drops(contacts, record, pair, results);
@@ -62,16 +70,18 @@ impl Missing {
             place.is_some_and(|place| turns.iter().any(|turn| turn.holds(place)))
         };
         Self {
-            bearing: near(results.bearing.or(Some(0.0))),
+            bearing: near(results.bearing.or(Some(0.0))).then_some(Cause::Friction),
             hoop: (near(Stated::PeakHoopPlace.value(results)) || drops())
                 .then_some(Cause::Friction),
             pressure: near(Stated::PeakPressurePlace.value(results)) && are_unlike(model, pair),
+            end: None,
         }
     }
 
-    /// Whether a support is why, which shows in two divisions.
-    pub(super) fn are_of_a_support(self) -> bool {
-        self.hoop == Some(Cause::Support)
+    /// Whether the end of a support is why `stated` is one of them, or may be with finer cells; either shows in two divisions.
+    pub(super) fn is_of_a_support(self, stated: Stated) -> bool {
+        let is_peak = matches!(stated, Stated::PeakHoop | Stated::PeakHoopPlace);
+        self.why(stated) == Some(Cause::Support) || is_peak && self.end.is_some()
     }
 
     /// Whether the corner of a body is why, which has a finding of its own in every run.
@@ -79,10 +89,30 @@ impl Missing {
         self.hoop == Some(Cause::Corner)
     }
 
+    /// Whether the end of a load is why `stated` is one of them.
+    pub(super) fn is_of_a_load(self, stated: Stated) -> bool {
+        self.why(stated) == Some(Cause::Load)
+    }
+
+    /// Why `stated` is one of them, if it is a stress along the edge.
+    fn why(self, stated: Stated) -> Option<Cause> {
+        match stated {
+            Stated::HoopAtBearing => self.bearing,
+            Stated::PeakHoop | Stated::PeakHoopPlace => self.hoop,
+            _ => None,
+        }
+    }
+
+    /// Whether stress where a support ends, which may become the largest, grew from the `coarser` model to this one.
+    pub(super) fn may_rise(self, coarser: Self) -> bool {
+        let grew = |(end, before): (f64, f64)| end > (1.0 + STEEP) * before;
+        self.end.zip(coarser.end).is_some_and(grew)
+    }
+
     /// Whether `stated` is one of them.
     pub(super) fn concern(self, stated: Stated) -> bool {
         match stated {
-            Stated::HoopAtBearing => self.bearing,
+            Stated::HoopAtBearing => self.bearing.is_some(),
             Stated::PeakHoop | Stated::PeakHoopPlace => self.hoop.is_some(),
             Stated::PeakPressure => self.pressure,
             Stated::ContactExtent
@@ -100,15 +130,36 @@ impl Missing {
     }
 }
 
-/// Why the largest stress along the edge with the index `edge`, which touches nothing, has no limit.
-fn of_free_edge(model: &Model, edge: usize, results: &EdgeResults) -> Option<Cause> {
+/// The numbers of the edge with the index `edge`, which touches nothing, that have no limit.
+fn of_free_edge(
+    model: &Model,
+    (edge, geometry): (usize, &EdgeGeometry),
+    results: &EdgeResults,
+) -> Missing {
     let own = &model.edges[edge];
     let body = &model.bodies[own.geometry.body];
-    if own.peaks_at(&body.singular, results) {
-        return Some(Cause::Support);
+    let ends: Vec<usize> = body.singular.iter().map(|place| place.node()).collect();
+    let at = |place: f64| {
+        if own.has_beside(&ends, place) {
+            Some(Cause::Support)
+        } else {
+            (own.has_beside(&body.sheared, place)).then_some(Cause::Load)
+        }
+    };
+    let rows = results.rows.iter();
+    let largest = rows.fold(0.0, |most: f64, row| most.max(row.sigma_tangential.abs()));
+    let peak = results
+        .peak_hoop
+        .filter(|peak| peak.0.abs() > SMALL * largest);
+    let corner =
+        || (own.corner_at_peak((&body.singular, &body.corners), results)).map(|_| Cause::Corner);
+    Missing {
+        hoop: peak.and_then(|(_, place)| at(place).or_else(corner)),
+        bearing: at(geometry.reference(results.bearing, -model.origin[0])),
+        end: (own.largest_end(&body.singular, results))
+            .filter(|end| peak.is_some_and(|(peak, _)| *end > GROWS * peak)),
+        pressure: false,
     }
-    own.corner_at_peak((&body.singular, &body.corners), results)
-        .map(|_| Cause::Corner)
 }
 
 /// Where slip leads away on both sides.

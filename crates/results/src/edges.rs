@@ -146,6 +146,15 @@ impl EdgeGeometry {
             EdgeKind::Line | EdgeKind::Path => place,
         }
     }
+
+    /// The place from which positions count in a step that bears at `bearing`: without one where the history bears, or θ = 0, or the place `start` `[mm]` of a line, where x = 0.
+    pub fn reference(&self, bearing: Option<f64>, start: f64) -> f64 {
+        let start = match self.kind {
+            EdgeKind::Circle { .. } | EdgeKind::Path => 0.0,
+            EdgeKind::Line => start,
+        };
+        bearing.or(self.frame.bearing).unwrap_or(start)
+    }
 }
 
 impl EdgeResults {

@@ -125,6 +125,13 @@ pub enum Finding {
         /// Load steps with such stresses.
         steps: Vec<usize>,
     },
+    /// The largest stress along an edge, or that at its bearing point, is where a traction along an edge ends, and depends on the side from which one comes.
+    NoValueAtLoadEnd {
+        /// The edge.
+        edge: String,
+        /// Load steps with such stresses.
+        steps: Vec<usize>,
+    },
     /// The largest stress along an edge is at a re-entrant corner, grows with every finer division and has no limit.
     NoLimitAtReentrantCorner {
         /// The edge.

@@ -23,6 +23,8 @@ pub struct ModelBody {
     pub across: Option<usize>,
     /// Where its stresses have no bound.
     pub singular: Vec<Singular>,
+    /// Nodes at which tractions along its edges end.
+    pub sheared: Vec<usize>,
     /// Its re-entrant corners, towards which stress has no limit either.
     pub corners: Vec<ReentrantCorner>,
     /// Von Mises stress at which its material yields `[MPa]`, where the scene gives one.

@@ -75,6 +75,16 @@ pub enum ModelError {
         #[source]
         cause: MeshError,
     },
+    /// Two supports that move a node of a body by different displacements along the same direction.
+    #[error("{} and {} share a node, and their supports, supports.{} and supports.{index}, move it by different displacements along the same direction", on[0], on[1], other)]
+    Contradiction {
+        /// The sets.
+        on: [String; 2],
+        /// Number of the first support in the scene.
+        other: usize,
+        /// Number of the second one.
+        index: usize,
+    },
     /// Elastic constants that no stable material has.
     #[error("material '{material}': {cause}")]
     Material {

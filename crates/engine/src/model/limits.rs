@@ -19,14 +19,14 @@ fn refuse(key: String, what: String) -> Result<(), ModelError> {
 
 fn rigid_bodies(plan: &Plan<'_>) -> Result<(), ModelError> {
     let name = |body: usize| plan.bodies[body].name;
-    for (index, support) in plan.supports.iter().enumerate() {
+    for support in &plan.supports {
         let skew = matches!(support.of.hold, Hold::Direction(_));
         if plan.is_rigid(support.body) && (skew || support.of.displacement != 0.0) {
             let what = format!(
                 "the rigid body '{}' can be held along x and y only, without displacement; give it an elastic material, or load it by a force",
                 name(support.body)
             );
-            return refuse(format!("supports.{index}"), what);
+            return refuse(format!("supports.{}", support.of.index), what);
         }
     }
     for (index, load) in plan.loads.iter().enumerate() {

@@ -21,6 +21,8 @@ use crate::results::{BearingSource, ContactFrame};
 use stickslip_scene::schema::{self, Hold, Load, LoadKind, SetRef};
 use stickslip_scene::shape::Edge;
 
+/// Sine of the angle up to which two directions are one.
+const PARALLEL: f64 = 1e-9;
 /// Part of the body's modulus times its thickness that springs on it are at least as stiff as.
 const SOFTEST: f64 = 1e-9;
 
@@ -83,6 +85,7 @@ impl Loaded<'_> {
             cause,
         };
         let blocks = vec![Arc::clone(self.material); self.mesh.blocks().len()];
+        self.supports_agree()?;
         let supports = self.supports().map_err(mesh_error)?;
         let springs = springs::of_body(self.plan, self.index, self.mesh, self.thickness);
         let springs = springs.map_err(mesh_error)?;
@@ -112,12 +115,48 @@ impl Loaded<'_> {
         across.filter(|_| self.half)
     }
 
+    /// The supports of edges and points.
+    fn supports_of_nodes(&self) -> impl Iterator<Item = &schema::Support> {
+        let all = self.plan.supports_of(self.index);
+        all.filter(|support| !self.is_area(&support.on))
+    }
+
+    /// Refuses two supports that move a node which their sets share by different displacements along the same direction.
+    fn supports_agree(&self) -> Result<(), ModelError> {
+        let all: Vec<&schema::Support> = self.supports_of_nodes().collect();
+        for (count, own) in all.iter().enumerate() {
+            for other in &all[..count] {
+                let directions = other.hold.directions();
+                let along = own.hold.directions().into_iter();
+                let is_along = |one: [f64; 2]| {
+                    let mut others = directions.iter();
+                    others.any(|two| (one[0] * two[1] - one[1] * two[0]).abs() < PARALLEL)
+                };
+                let differ = own.displacement != other.displacement;
+                if differ && along.into_iter().any(is_along) && self.share(own, other) {
+                    return Err(ModelError::Contradiction {
+                        on: [other, own].map(|support| support.on.to_string()),
+                        other: other.index,
+                        index: own.index,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the sets of two supports have a node in common.
+    fn share(&self, one: &schema::Support, other: &schema::Support) -> bool {
+        let nodes = |support: &schema::Support| self.mesh.node_set(&support.on.set);
+        let (Ok(one), Ok(other)) = (nodes(one), nodes(other)) else {
+            return false;
+        };
+        one.iter().any(|node| other.contains(node))
+    }
+
     fn supports(&self) -> Result<Vec<Support>, MeshError> {
         let mut supports = Vec::new();
-        for support in self.plan.supports_of(self.index) {
-            if self.is_area(&support.on) {
-                continue;
-            }
+        for support in self.supports_of_nodes() {
             let nodes = self.mesh.node_set(&support.on.set)?;
             let directions: Vec<HeldDirection> = match support.hold {
                 Hold::Direction(angle) => vec![HeldDirection::Angle(angle)],

@@ -1,6 +1,6 @@
 //! What a scene says of each body, contact and load: its names are resolved here, and become indices.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -240,27 +240,6 @@ impl<'a> Plan<'a> {
                 Hold::Axes(axes) => [x && !axes.x, y && !axes.y],
                 Hold::Direction(_) => [false; 2],
             })
-    }
-
-    /// The bodies that contact links to `body`, and itself.
-    pub(super) fn linked(&self, body: usize) -> BTreeSet<usize> {
-        let slices = self
-            .fasteners
-            .iter()
-            .flat_map(|fastener| fastener.slices.windows(2));
-        let mut pairs = self.pairs();
-        pairs.extend(slices.map(|pair| [pair[0], pair[1]]));
-        let mut linked = BTreeSet::from([body]);
-        let mut count = 0;
-        while count < linked.len() {
-            count = linked.len();
-            for [one, other] in &pairs {
-                if linked.contains(one) || linked.contains(other) {
-                    linked.extend([*one, *other]);
-                }
-            }
-        }
-        linked
     }
 
     /// The fastener of which a body is a slice.

@@ -1,8 +1,6 @@
 //! What a reader must know of a scene's geometry before it is solved.
 
-use std::collections::BTreeSet;
-
-use stickslip_scene::schema::{Hold, Load, LoadKind, SetRef, Support};
+use stickslip_scene::schema::{Load, LoadKind, SetRef};
 
 use super::plan::{ContactPlan, Placed, Plan};
 use crate::results::{ContactFinding, Finding, Quantity};
@@ -30,7 +28,6 @@ pub(super) fn of_scene(plan: &Plan<'_>) -> Vec<Finding> {
     contacts
         .chain(of_file)
         .chain(plan.contacts.iter().filter_map(|own| carried(plan, own)))
-        .chain(held_at_points(plan))
         .chain(loaded_at_points(plan))
         .collect()
 }
@@ -45,35 +42,6 @@ fn carried(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<Finding> {
         hole: contact.of.first.to_string(),
         distance: Quantity::Length(distance),
     })
-}
-
-/// Elastic bodies that are held at a point, where another support can take a part of the load.
-fn held_at_points(plan: &Plan<'_>) -> Option<Finding> {
-    let at_point = |support: &&Placed<'_, Support>| {
-        let body = &plan.bodies[support.body];
-        let is_point = support.edge.is_none() && !body.shape.is_area(&support.of.on.set);
-        is_point && body.elastic.is_some() && body.series.is_none()
-    };
-    let axes = |hold: &Hold| match hold {
-        Hold::Axes(axes) => [axes.x, axes.y],
-        Hold::Direction(_) => [true; 2],
-    };
-    let shares = |support: &&Placed<'_, Support>| {
-        let (linked, own) = (plan.linked(support.body), axes(&support.of.hold));
-        let beside = |body: usize, held: [bool; 2]| {
-            linked.contains(&body) && (0..2).any(|axis| own[axis] && held[axis])
-        };
-        let mut others = (plan.supports.iter()).filter(|other| !std::ptr::eq(other.of, support.of));
-        let mut platens = plan.platens.iter();
-        others.any(|other| beside(other.body, axes(&other.of.hold)))
-            || platens.any(|other| beside(other.body, [!other.of.free.x, !other.of.free.y]))
-    };
-    let held = plan.supports.iter().filter(at_point).filter(shares);
-    let held: BTreeSet<usize> = held.map(|support| support.body).collect();
-    let bodies: Vec<String> = (held.into_iter())
-        .map(|body| plan.bodies[body].name.to_owned())
-        .collect();
-    (!bodies.is_empty()).then_some(Finding::PointSupports { bodies })
 }
 
 /// Elastic bodies that a force acts on at a point.

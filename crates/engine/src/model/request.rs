@@ -213,6 +213,7 @@ fn drive(scene: &mut Scene, on: &SetRef, axis: Axis, end: f64) {
     scene.supports = kept;
     let mut hold = |axes, displacement| {
         scene.supports.push(Support {
+            index: scene.supports.len(),
             on: on.clone(),
             hold: Hold::Axes(axes),
             displacement,

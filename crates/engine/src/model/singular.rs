@@ -1,11 +1,28 @@
 //! Places of a body where stresses of the linear model have no bound.
 
-use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
+use std::ops::RangeInclusive;
+
+use stickslip_fem_core::mesh::{EdgePath, Mesh, MeshError, Point};
 use stickslip_scene::schema::LoadKind;
 
 use super::edge::ModelEdge;
 use super::plan::Plan;
 use crate::results::EdgeResults;
+
+/// Part of a traction along an edge from which it is one.
+const ALONG: f64 = 1e-6;
+
+/// Part of the size of a half up to which a node stands on its axis.
+const ROUNDING: f64 = 1e-9;
+
+/// The line at which a body is cut in half.
+#[derive(Clone, Copy)]
+pub(super) struct Axis {
+    /// Coordinate that the two halves differ in.
+    pub(super) coordinate: usize,
+    /// Where it is on that line `[mm]`.
+    pub(super) at: f64,
+}
 
 /// A place where stresses have no bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,19 +74,40 @@ impl ReentrantCorner {
 }
 
 impl ModelEdge {
-    /// Positions of its nodes in the cells beside its largest tangential stress.
-    fn beside_peak(&self, results: &EdgeResults) -> Option<std::ops::RangeInclusive<usize>> {
-        let (_, place) = results.peak_hoop?;
+    /// Positions of its nodes in the cells beside `place` `[rad or mm]`.
+    fn beside(&self, place: f64) -> Option<RangeInclusive<usize>> {
         let near = (self.geometry.parameter)
             .partition_point(|&at| at < place - f64::EPSILON * place.abs());
         let last = self.nodes.len().checked_sub(1)?;
         Some(near.saturating_sub(self.order)..=(near + self.order).min(last))
     }
 
+    /// Whether one of `nodes` is in the cells beside `place` `[rad or mm]`.
+    pub fn has_beside(&self, nodes: &[usize], place: f64) -> bool {
+        let mut beside = self.beside(place).into_iter().flatten();
+        beside.any(|k| nodes.contains(&self.nodes[k]))
+    }
+
     /// Whether its largest tangential stress is beside one of `places`, those of its body.
     pub fn peaks_at(&self, places: &[Singular], results: &EdgeResults) -> bool {
-        let mut beside = self.beside_peak(results).into_iter().flatten();
-        beside.any(|k| places.iter().any(|place| place.node() == self.nodes[k]))
+        let nodes: Vec<usize> = places.iter().map(|place| place.node()).collect();
+        (results.peak_hoop).is_some_and(|(_, place)| self.has_beside(&nodes, place))
+    }
+
+    /// The larger tangential stress `[MPa]` of its ends that are among `places`, of those towards which it grows.
+    pub fn largest_end(&self, places: &[Singular], results: &EdgeResults) -> Option<f64> {
+        let stress = |k: usize| Some(results.rows.get(k)?.sigma_tangential);
+        let last = results.rows.len().checked_sub(1)?;
+        let at_end = |end: usize, next: usize| {
+            let (own, next) = (stress(end)?, stress(next)?);
+            let is_one = places.iter().any(|place| place.node() == self.nodes[end]);
+            (is_one && own > next && next > 0.0).then_some(own)
+        };
+        let ends = [
+            at_end(0, self.order),
+            at_end(last, last.checked_sub(self.order)?),
+        ];
+        ends.into_iter().flatten().reduce(f64::max)
     }
 
     /// Which of `corners`, those of its body, its largest tangential stress is beside, and beside none of `supports`, where stress grows towards it: a node at a corner that is pressed
@@ -92,7 +130,7 @@ impl ModelEdge {
             let corner = corners.iter().find(|own| own.node == self.nodes[k])?;
             pulls(k).then_some(*corner)
         };
-        self.beside_peak(results)?.find_map(at)
+        self.beside(results.peak_hoop?.1)?.find_map(at)
     }
 }
 
@@ -127,11 +165,12 @@ pub(super) fn corners(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Vec<Reentran
     corners.into_iter().filter_map(corner).collect()
 }
 
-/// Those of the body with the index `body`.
+/// Those of the body with the index `body`, half of which is cut at `axis` if only that is modelled.
 pub(super) fn places(
     plan: &Plan<'_>,
     body: usize,
     mesh: &Mesh,
+    axis: Option<Axis>,
 ) -> Result<Vec<Singular>, MeshError> {
     let supports = plan.supports_of(body).map(|support| &support.on);
     let springs = plan.springs.iter().filter(|own| own.body == body);
@@ -161,10 +200,62 @@ pub(super) fn places(
             continue;
         }
         let path = mesh.edge_path(&on.set)?;
-        if !path.closed {
-            let ends = path.nodes.first().into_iter().chain(path.nodes.last());
-            places.extend(ends.map(|&node| Singular::End(node)));
-        }
+        let ends = ends(&path, mesh, axis);
+        places.extend(ends.map(|[node, _]| Singular::End(node)));
     }
     Ok(places)
+}
+
+/// The nodes of the body with the index `body` at which tractions along its edges end: of forces, and of springs. At a corner stress then depends on the side from which one
+/// comes, and along a smooth edge it has no limit.
+pub(super) fn sheared(
+    plan: &Plan<'_>,
+    body: usize,
+    mesh: &Mesh,
+    axis: Option<Axis>,
+) -> Result<Vec<usize>, MeshError> {
+    let loads = plan.loads.iter().filter(|load| load.body == body);
+    let forces = loads.filter_map(|load| match &load.of.kind {
+        LoadKind::Force { on, direction, .. } => Some((on, vec![*direction])),
+        _ => None,
+    });
+    let springs = plan.springs.iter().filter(|own| own.body == body);
+    let springs = springs.map(|own| (&own.of.on, own.of.hold.directions()));
+    let mut nodes = Vec::new();
+    for (on, directions) in forces.chain(springs) {
+        if mesh.edge_set(&on.set).is_err() {
+            continue;
+        }
+        let path = mesh.edge_path(&on.set)?;
+        for [node, next] in ends(&path, mesh, axis) {
+            let [from, to] = [node, next].map(|node| mesh.nodes()[node]);
+            let edge = [to[0] - from[0], to[1] - from[1]];
+            let along = |of: &[f64; 2]| (of[0] * edge[0] + of[1] * edge[1]).abs();
+            let length = edge[0].hypot(edge[1]);
+            if directions.iter().any(|own| along(own) > ALONG * length) {
+                nodes.push(node);
+            }
+        }
+    }
+    Ok(nodes)
+}
+
+/// The nodes at the ends of an open edge, each with the next one. On the `axis` of half a model no edge ends.
+fn ends(path: &EdgePath, mesh: &Mesh, axis: Option<Axis>) -> impl Iterator<Item = [usize; 2]> {
+    let ends = match path.nodes[..] {
+        [first, second, .., before, last] if !path.closed => vec![[first, second], [last, before]],
+        [first, last] if !path.closed => vec![[first, last], [last, first]],
+        _ => Vec::new(),
+    };
+    let [low, high] = mesh.bounding_box();
+    let on_axis = move |at: Point| {
+        axis.is_some_and(|axis| {
+            let size = high[axis.coordinate] - low[axis.coordinate];
+            (at[axis.coordinate] - axis.at).abs() <= ROUNDING * size
+        })
+    };
+    let own = ends
+        .into_iter()
+        .filter(|end| !on_axis(mesh.nodes()[end[0]]));
+    own.collect::<Vec<_>>().into_iter()
 }

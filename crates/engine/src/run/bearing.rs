@@ -40,10 +40,6 @@ pub(super) fn find(edge: &ModelEdge, start: f64, steps: &mut [EdgeResults]) -> C
         frame,
         ..geometry.clone()
     };
-    let start = match geometry.kind {
-        EdgeKind::Circle { .. } | EdgeKind::Path => 0.0,
-        EdgeKind::Line => start,
-    };
     for step in steps {
         let at = step.bearing.or(frame.bearing);
         let is_stressed = step.rows.iter().any(|row| row.sigma_tangential != 0.0);
@@ -62,10 +58,12 @@ pub(super) fn find(edge: &ModelEdge, start: f64, steps: &mut [EdgeResults]) -> C
             .then(|| step.lengths_of_slip(&geometry))
             .flatten();
         step.friction_force = friction_force(edge, &step.rows, at);
-        step.hoop_at_bearing_point =
-            interpolated(&geometry, &step.rows, at.unwrap_or(start), |row| {
-                row.sigma_tangential
-            });
+        step.hoop_at_bearing_point = interpolated(
+            &geometry,
+            &step.rows,
+            geometry.reference(step.bearing, start),
+            |row| row.sigma_tangential,
+        );
     }
     frame
 }

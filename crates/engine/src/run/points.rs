@@ -1,7 +1,11 @@
 //! Sets whose displacement or force has no limit with finer cells: single points of elements give way by the more the smaller the cells are.
 
+use std::collections::BTreeSet;
+
+use nalgebra::DMatrix;
 use stickslip_contact::freedom;
 use stickslip_contact::interface::Part;
+use stickslip_fem_core::mesh::Point;
 
 use super::solved::Solved;
 use crate::model::{Mean, Measure, Model, ModelSet, parts};
@@ -9,6 +13,9 @@ use crate::results::{Finding, SetStated, StepResults};
 
 /// Part of the largest force on any set up to which a force is none.
 const ROUNDING: f64 = 1e-9;
+
+/// Part of the size of a wrench from which it is independent of others.
+const DEPENDENT: f64 = 1e-6;
 
 /// Single points that are held, and that take a force in a step.
 struct Points<'a> {
@@ -55,33 +62,69 @@ impl<'a> Points<'a> {
             .sets
             .iter()
             .filter(|own| self.are_linked(own, held));
-        others.any(|other| match other.measure {
+        let shared = others.any(|other| match other.measure {
             Measure::Load { .. } => false,
             Measure::Held { displacement, .. } if displacement != 0.0 => true,
             Measure::Held { .. } | Measure::Springs { .. } => {
                 let along = |axis: usize| other.set.along[axis] * held.set.along[axis];
                 other.set.on != held.set.on && (along(0) + along(1)).abs() > ROUNDING
             }
-        })
+        });
+        shared && !self.is_determinate(held)
     }
+
+    /// Whether equilibrium alone gives the forces on all that holds the part of `held`: points, that hold no motion twice, and none that is moved.
+    fn is_determinate(&self, held: &ModelSet) -> bool {
+        let mut wrenches = Vec::new();
+        for own in &self.model.sets {
+            if matches!(own.measure, Measure::Load { .. }) || !self.are_linked(own, held) {
+                continue;
+            }
+            let Some([x, y]) = point(self.model, own) else {
+                return false;
+            };
+            let [u, v] = own.set.along;
+            let size = x.abs().max(y.abs()).max(f64::MIN_POSITIVE);
+            let moved =
+                matches!(own.measure, Measure::Held { displacement, .. } if displacement != 0.0);
+            if moved || wrenches.len() == 3 {
+                return false;
+            }
+            wrenches.push(([u, v], x * v - y * u, size));
+        }
+        let size = wrenches.iter().fold(0.0, |most: f64, own| most.max(own.2));
+        let rows = wrenches
+            .iter()
+            .flat_map(|(force, moment, _)| [force[0], force[1], moment / size]);
+        let rows = DMatrix::from_row_iterator(wrenches.len(), 3, rows);
+        rows.rank(DEPENDENT) == wrenches.len()
+    }
+}
+
+/// Where `set` is, if it is a single point of elements `[mm]`.
+fn point(model: &Model, set: &ModelSet) -> Option<Point> {
+    let body = &model.bodies[set.set.body];
+    let nodes: Vec<usize> = match &set.measure {
+        Measure::Load {
+            mean: Mean::Nodes(nodes),
+            ..
+        }
+        | Measure::Springs { weights: nodes, .. } => nodes.iter().map(|own| own.0).collect(),
+        Measure::Held {
+            nodes: Some(nodes), ..
+        } => nodes.iter().map(|own| own.0).collect(),
+        Measure::Load { .. } | Measure::Held { .. } => Vec::new(),
+    };
+    let elastic = body.elastic().filter(|_| body.series.is_none())?;
+    let [node] = nodes[..] else {
+        return None;
+    };
+    Some(elastic.mesh().nodes()[node])
 }
 
 /// Whether `set` is a single point of elements.
 fn is_point(model: &Model, set: &ModelSet) -> bool {
-    let body = &model.bodies[set.set.body];
-    let nodes = match &set.measure {
-        Measure::Load {
-            mean: Mean::Nodes(nodes),
-            ..
-        } => nodes.len(),
-        Measure::Load {
-            mean: Mean::Places(places),
-            ..
-        } => places.len(),
-        Measure::Springs { weights, .. } => weights.len(),
-        Measure::Held { nodes, .. } => nodes.as_ref().map_or(0, Vec::len),
-    };
-    body.elastic().is_some() && body.series.is_none() && nodes == 1
+    point(model, set).is_some()
 }
 
 /// The bodies that move as a whole without resistance, alone or together.
@@ -143,25 +186,27 @@ fn largest_forces(model: &Model, steps: &[StepResults]) -> Vec<f64> {
     (0..model.sets.len()).map(force).collect()
 }
 
-/// That displacements under loads hang on points, unless a finding says already that these share the load.
-pub(super) fn finding(model: &Model, steps: &[StepResults]) -> Option<Finding> {
-    let is_said = |own: &Finding| matches!(own, Finding::PointSupports { .. });
-    if model.findings.iter().any(is_said) {
-        return None;
-    }
+/// That displacements under loads hang on points, and that points share a load with other supports.
+pub(super) fn findings(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
     let points = Points::of(model, &largest_forces(model, steps));
-    let (mut bodies, mut loads) = (Vec::new(), Vec::new());
+    let mut loads = Vec::new();
     for own in &model.sets {
         let hangs = points.of_part(own).next().is_some();
         if hangs && matches!(own.measure, Measure::Load { .. }) {
             loads.push(own.set.name.clone());
         }
     }
-    for &held in &points.held {
-        let name = &model.bodies[model.sets[held].set.body].name;
-        if !bodies.contains(name) {
-            bodies.push(name.clone());
-        }
-    }
-    (!loads.is_empty()).then_some(Finding::PointDisplacements { bodies, loads })
+    let bodies_of = |held: &mut dyn Iterator<Item = &ModelSet>| {
+        let bodies: BTreeSet<usize> = held.map(|own| own.set.body).collect();
+        let names = bodies
+            .into_iter()
+            .map(|body| model.bodies[body].name.clone());
+        names.collect::<Vec<String>>()
+    };
+    let held = || points.held.iter().map(|&held| &model.sets[held]);
+    let shared = bodies_of(&mut held().filter(|held| points.shares(held)));
+    let shared = (!shared.is_empty()).then_some(Finding::PointSupports { bodies: shared });
+    let bodies = bodies_of(&mut held());
+    let hanging = (!loads.is_empty()).then_some(Finding::PointDisplacements { bodies, loads });
+    shared.into_iter().chain(hanging).collect()
 }

@@ -82,11 +82,8 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
         }
         Finding::SetsWithoutErrors { bodies } => points::without_errors(&quoted(bodies)),
         Finding::PointLoads { loads } => points::loads(&quoted(loads)),
-        Finding::NoLimitAtSupport { edge, steps } => format!(
-            "No error is stated for the peak tangential stress along {edge} in {}: it is where a support ends, grows without limit with every \
-             finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section.",
-            load_steps(steps)
-        ),
+        Finding::NoLimitAtSupport { edge, steps } => points::support_end(edge, &load_steps(steps)),
+        Finding::NoValueAtLoadEnd { edge, steps } => points::load_end(edge, &load_steps(steps)),
         Finding::NoLimitAtReentrantCorner {
             edge,
             steps,

@@ -88,6 +88,7 @@ impl Builder<'_> {
             }
             if let (Some(on), Some(hold)) = (on, hold) {
                 supports.push(Support {
+                    index,
                     on,
                     hold,
                     displacement,

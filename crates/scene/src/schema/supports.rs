@@ -54,6 +54,8 @@ impl Axes {
 /// Nodes whose displacement is given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Support {
+    /// Its number among the supports of the scene, springs among them.
+    pub index: usize,
     /// Where.
     pub on: SetRef,
     /// In which directions.

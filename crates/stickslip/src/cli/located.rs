@@ -39,6 +39,10 @@ pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
             };
             (own, "say model = \"elements\" or \"auto\", and give a mesh")
         }
+        ModelError::Contradiction { index, .. } => (
+            format!("supports.{index}"),
+            "move both alike, hold one of them along the other direction alone, or let it end before the other by an edge of its own between them",
+        ),
         ModelError::Material { material, .. } => (
             format!("materials.{material}"),
             "check the material's constants",
@@ -123,10 +127,13 @@ fn loads_on(scene: &Scene, bodies: &[usize]) -> Vec<usize> {
 /// Indices of the supports that move on `bodies`; all where these are all bodies.
 fn drives_on(scene: &Scene, bodies: &[usize]) -> Vec<usize> {
     let names = names(scene, bodies);
-    let moving = (scene.supports.iter().enumerate()).filter(|(_, held)| held.displacement != 0.0);
+    let moving = scene
+        .supports
+        .iter()
+        .filter(|held| held.displacement != 0.0);
     moving
-        .filter(|(_, held)| bodies.is_empty() || names.contains(&held.on.body.as_str()))
-        .map(|(index, _)| index)
+        .filter(|held| bodies.is_empty() || names.contains(&held.on.body.as_str()))
+        .map(|held| held.index)
         .collect()
 }
 

@@ -1,9 +1,10 @@
 //! Displacements of loaded sets, reactions of held ones and stiffness: closed forms, half beside whole, series beside elements.
 
+use stickslip::model::{Model, ModelError};
 use stickslip::results::{Finding, Results, SetKind, SetMotion, SetStated, Stated};
 
 use super::series::PIN;
-use super::solved;
+use super::{scene, solved};
 
 /// A plate of 100 × 20 × 2 mm that is pulled along x; E A / L = 70 GPa · 40 mm² / 100 mm = 28 kN/mm.
 const PLATE: &str = r#"
@@ -102,6 +103,28 @@ fn a_moved_edge_takes_what_a_pull_by_as_much_gives() {
         STIFFNESS,
         1e-10
     ));
+}
+
+/// Supports that move a corner which they share to two places are named, with their numbers among the supports of the scene, springs among them.
+#[test]
+fn supports_that_contradict_each_other_are_named() {
+    let springs = r#"supports.1={ on = "plate.bottom", fix = ["y"], bed = "100 MPa/mm" }"#;
+    let refused = |support: &str| {
+        let changes = [springs, &format!("supports.2={support}")];
+        Model::build(&scene(PLATE, &changes)).err()
+    };
+    let moved = r#"{ on = "plate.top", fix = ["x"], displacement = "0.1 mm" }"#;
+    let found = refused(moved).unwrap();
+    let is_both = matches!(&found, ModelError::Contradiction { on, other: 0, index: 2 } if on[..] == ["plate.left", "plate.top"]);
+    assert!(is_both, "{found}");
+    let skew = r#"{ on = "plate.top", normal = "180 deg", displacement = "0.1 mm" }"#;
+    assert!(matches!(
+        refused(skew),
+        Some(ModelError::Contradiction { .. })
+    ));
+    for agrees in [moved.replace("0.1", "0"), moved.replace("\"x\"", "\"y\"")] {
+        assert!(refused(&agrees).is_none(), "{agrees}");
+    }
 }
 
 #[test]

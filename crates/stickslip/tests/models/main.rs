@@ -20,6 +20,7 @@ mod remarks;
 mod series;
 mod several;
 mod sharing;
+mod singular;
 mod splines;
 mod springs;
 mod stated;

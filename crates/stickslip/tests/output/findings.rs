@@ -153,6 +153,10 @@ fn of_errors() -> Vec<Finding> {
             edge: "plate.bottom".into(),
             steps: steps.clone(),
         },
+        Finding::NoValueAtLoadEnd {
+            edge: "plate.right".into(),
+            steps: steps.clone(),
+        },
         Finding::NoLimitAtReentrantCorner {
             edge: "plate.inner".into(),
             steps,

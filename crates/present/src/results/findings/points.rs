@@ -5,9 +5,8 @@ use stickslip_text::significant;
 /// `quoted` are the bodies `bodies`.
 pub(super) fn supports(quoted: &str, bodies: &[String]) -> String {
     format!(
-        "Elastic bodies held at a single point: {}. Other supports share the load, and the displacement of a point grows with every \
+        "Elastic bodies held at a single point: {quoted}. Other supports share the load, and the displacement of a point grows with every \
          finer mesh, so load shares depend on the mesh. {}",
-        quoted,
         remedy(bodies)
     )
 }
@@ -41,7 +40,23 @@ pub(super) fn loads(quoted: &str) -> String {
 
 fn remedy(bodies: &[String]) -> String {
     let body = bodies.first().map_or("pin", String::as_str);
-    format!("Hold a pin over its section (on = \"{body}.section\").")
+    format!("Hold an edge instead; a pin, over its section (on = \"{body}.section\").")
+}
+
+/// The largest stress along `edge` where a support ends.
+pub(super) fn support_end(edge: &str, steps: &str) -> String {
+    format!(
+        "No error is stated for the peak tangential stress along {edge} in {steps}: towards the end of a support stress grows without limit with every \
+         finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section."
+    )
+}
+
+/// The stress along `edge` where a traction along an edge ends.
+pub(super) fn load_end(edge: &str, steps: &str) -> String {
+    format!(
+        "No error is stated for tangential stresses along {edge} in {steps}: where a force, or springs, along an edge end, stress depends on the side from which one comes to \
+         the corner, or has no limit, and the value is that of the cells. Let the load end elsewhere, or act across the edge."
+    )
 }
 
 /// The largest stress along `edge` at a corner of `angle` inside the body `[degree]`.
