@@ -1,5 +1,6 @@
 //! What is declared of a key and of a table of keys; the declarations are in [`keys`](crate::keys) and in the files of shapes.
 
+pub(crate) mod choices;
 mod kind;
 mod range;
 

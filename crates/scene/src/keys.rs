@@ -7,36 +7,39 @@
 //! | examples of missing keys      | [`Key::assignment`]                             |
 //! | checks of ranges and choices  | `build/declared.rs`                             |
 //!
-//! A new key is a field of a table in `format.rs` and a row in a file below `keys`. Shapes bring their own rows.
+//! A new key is a field of a table and a row of its `TABLES`, both in the table's file below `format`. Shapes bring their own rows.
 //!
 //! A key of meshes is one row for `mesh` and `bodies.NAME.mesh`. Beside its field and its row it needs what makes it part of a mesh: the
 //! compiler asks for it where a body's settings are made of its own and the scene's (`build/mesh.rs`) and where a mesh is made coarser
 //! (`schema/mesh.rs`), and the shapes that use it name it in [`mesh_keys`](crate::shape::Outline::mesh_keys); of others it is refused.
 
-mod bodies;
-mod choices;
 mod document;
-mod failure;
-mod fasteners;
-mod loads;
-mod materials;
-mod scene;
 #[cfg(test)]
 mod tests;
 
 use crate::declaration::{Key, Table};
+use crate::format::{
+    self, bodies, contacts, failure, fasteners, loads, materials, progressive, supports,
+};
 use crate::shape;
-use choices::{coded, quoted};
 
 pub use self::document::document;
 
 /// Every table of a scene, each before those inside it.
 pub fn tables() -> impl Iterator<Item = Table> {
-    let own = [scene::TABLES, materials::TABLES, bodies::TABLES];
-    let others = [fasteners::TABLES, loads::TABLES, failure::TABLES];
+    let own = [
+        format::TABLES,
+        materials::TABLES,
+        bodies::TABLES,
+        contacts::TABLES,
+        supports::TABLES,
+        fasteners::TABLES,
+        loads::TABLES,
+        failure::TABLES,
+        progressive::TABLES,
+    ];
     let own = own.into_iter().flatten().copied();
     own.chain(shape::tables())
-        .chain(others.into_iter().flatten().copied())
 }
 
 /// The table at `path`, `loads.0.force`.

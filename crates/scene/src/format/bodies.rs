@@ -1,13 +1,45 @@
-//! Bodies, and how they are divided.
+//! Bodies, and how they are divided, as a file spells them.
 
+use serde::{Deserialize, Serialize};
 use stickslip_fem_core::mesh::ElementKind;
 
-use super::quoted;
+use crate::declaration::choices::quoted;
 use crate::declaration::{
     Key, NONE, POSITIVE, REQUIRED, Range, Table, angle, angles, flag, integer, length, names,
     numbers, spacing, table, table_as, with_default, words,
 };
-use crate::shape::pattern;
+use crate::schema::BodyModel;
+use crate::shape::ShapeFormat;
+use crate::shape::pattern::{self, PatternFormat};
+use crate::units::{Angle, AngleOrLength, Length, Quantity};
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct BodyFormat {
+    pub(crate) material: Option<String>,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) rigid: bool,
+    pub(crate) thickness: Option<Quantity<Length>>,
+    pub(crate) shape: ShapeFormat,
+    pub(crate) position: Option<[Quantity<Length>; 2]>,
+    pub(crate) angle: Option<Quantity<Angle>>,
+    #[serde(default, skip_serializing_if = "BodyModel::is_auto")]
+    pub(crate) model: BodyModel,
+    pub(crate) mesh: Option<MeshFormat>,
+    pub(crate) pattern: Option<PatternFormat>,
+}
+
+/// `[mesh]`, or what differs from it in `[bodies.NAME.mesh]`.
+#[derive(Debug, Clone, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MeshFormat {
+    pub(crate) element: Option<ElementKind>,
+    pub(crate) spacing: Option<Quantity<AngleOrLength>>,
+    pub(crate) angles: Option<Vec<Quantity<Angle>>>,
+    pub(crate) fine_to: Option<Quantity<AngleOrLength>>,
+    pub(crate) coarse_spacing: Option<Quantity<AngleOrLength>>,
+    pub(crate) layers: Option<usize>,
+}
 
 /// `[mesh]`.
 #[rustfmt::skip]
@@ -36,7 +68,7 @@ const DIVISION_CHOICES: &str = r#"spacing = "2 deg", angles = ["0 deg", …]"#;
 const FROM_ONE: Range = numbers(" ≥ 1", "at least 1", |value| value >= 1.0);
 
 #[rustfmt::skip]
-pub(super) const TABLES: &[Table] = &[
+pub(crate) const TABLES: &[Table] = &[
     Table::new("bodies.NAME", &[
         words("material", "name of a material", "required unless rigid", r#""aluminium""#, "what the body is made of"),
         flag("rigid", "`false`", "true", "nothing in the body deforms; without `material`"),

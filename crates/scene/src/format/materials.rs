@@ -1,12 +1,98 @@
-//! Plies and materials.
+//! Plies and materials as a file spells them.
+
+use serde::{Deserialize, Serialize};
 
 use crate::declaration::{
     POSITIVE, REQUIRED, Table, angle, expansion, flag, length, number, stress, table, temperature,
     text, words,
 };
+use crate::units::{Angle, Length, PerTemperature, Quantity, Stress, Temperature};
+
+/// `[plies.NAME]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PlyFormat {
+    pub(crate) e1: Quantity<Stress>,
+    pub(crate) e2: Quantity<Stress>,
+    pub(crate) g12: Quantity<Stress>,
+    pub(crate) nu12: f64,
+    pub(crate) thickness: Quantity<Length>,
+    pub(crate) expansion1: Option<Quantity<PerTemperature>>,
+    pub(crate) expansion2: Option<Quantity<PerTemperature>>,
+    pub(crate) strengths: Option<StrengthsFormat>,
+}
+
+/// `[plies.NAME.strengths]`: magnitudes, each where it is known.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StrengthsFormat {
+    pub(crate) xt: Option<Quantity<Stress>>,
+    pub(crate) xc: Option<Quantity<Stress>>,
+    pub(crate) yt: Option<Quantity<Stress>>,
+    pub(crate) yc: Option<Quantity<Stress>>,
+    pub(crate) s12: Option<Quantity<Stress>>,
+    pub(crate) zt: Option<Quantity<Stress>>,
+    pub(crate) zc: Option<Quantity<Stress>>,
+    pub(crate) s13: Option<Quantity<Stress>>,
+    pub(crate) s23: Option<Quantity<Stress>>,
+    pub(crate) strain_1t: Option<f64>,
+    pub(crate) strain_1c: Option<f64>,
+    pub(crate) strain_2t: Option<f64>,
+    pub(crate) strain_2c: Option<f64>,
+    pub(crate) strain_12: Option<f64>,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) linear_strain_limits: bool,
+}
+
+/// `[materials.NAME.isotropic]`, `[materials.NAME.orthotropic]` or `[materials.NAME.laminate]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum MaterialFormat {
+    Isotropic(IsotropicFormat),
+    Orthotropic(Box<OrthotropicFormat>),
+    Laminate(Box<LaminateFormat>),
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct IsotropicFormat {
+    pub(crate) young: Quantity<Stress>,
+    pub(crate) poisson: f64,
+    pub(crate) expansion: Option<Quantity<PerTemperature>>,
+    #[serde(rename = "yield")]
+    pub(crate) yield_stress: Option<Quantity<Stress>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct OrthotropicFormat {
+    pub(crate) e1: Quantity<Stress>,
+    pub(crate) e2: Quantity<Stress>,
+    pub(crate) g12: Quantity<Stress>,
+    pub(crate) nu12: f64,
+    pub(crate) angle: Option<Quantity<Angle>>,
+    pub(crate) expansion1: Option<Quantity<PerTemperature>>,
+    pub(crate) expansion2: Option<Quantity<PerTemperature>>,
+    pub(crate) e3: Option<Quantity<Stress>>,
+    pub(crate) nu13: Option<f64>,
+    pub(crate) nu23: Option<f64>,
+    pub(crate) expansion3: Option<Quantity<PerTemperature>>,
+}
+
+/// `[materials.NAME.laminate]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LaminateFormat {
+    pub(crate) layup: String,
+    pub(crate) ply: Option<String>,
+    pub(crate) angle: Option<Quantity<Angle>>,
+    pub(crate) cure: Option<Quantity<Temperature>>,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) held_flat: bool,
+}
 
 #[rustfmt::skip]
-pub(super) const TABLES: &[Table] = &[
+pub(crate) const TABLES: &[Table] = &[
     Table::new("plies.NAME", &[
         stress("e1", REQUIRED, r#""140 GPa""#, "E1, along the fibres").noted(" > 0"),
         stress("e2", REQUIRED, r#""9 GPa""#, "E2, across them").noted(" > 0"),
