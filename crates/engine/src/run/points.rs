@@ -1,7 +1,5 @@
 //! Sets whose displacement or force has no limit with finer cells: single points of elements give way by the more the smaller the cells are.
 
-use std::collections::BTreeSet;
-
 use nalgebra::DMatrix;
 use stickslip_contact::freedom;
 use stickslip_contact::interface::Part;
@@ -197,11 +195,14 @@ pub(super) fn findings(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
         }
     }
     let bodies_of = |held: &mut dyn Iterator<Item = &ModelSet>| {
-        let bodies: BTreeSet<usize> = held.map(|own| own.set.body).collect();
-        let names = bodies
-            .into_iter()
-            .map(|body| model.bodies[body].name.clone());
-        names.collect::<Vec<String>>()
+        let mut names: Vec<String> = Vec::new();
+        for own in held {
+            let name = &model.bodies[own.set.body].name;
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
+        }
+        names
     };
     let held = || points.held.iter().map(|&held| &model.sets[held]);
     let shared = bodies_of(&mut held().filter(|held| points.shares(held)));
