@@ -28,6 +28,7 @@ use stickslip_fem_core::mesh::Point;
 use crate::channel::{Unit, channels, hat_means, sides};
 use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
+use crate::expansion::Expansions;
 use crate::field::{Body, Edge, EdgeOf, Field, Ingredients, Inside, PolarStress, check, forces};
 use crate::hole::check_load;
 use crate::nodes::Nodes;
@@ -87,6 +88,7 @@ pub struct Disk {
     material: Kolosov,
     anchor: Anchor,
     loads: Vec<DiskLoad>,
+    expansions: Expansions,
     points: Vec<Point>,
     compliance: DMatrix<f64>,
     modes: DMatrix<f64>,
@@ -185,6 +187,7 @@ impl Disk {
             mode_loads: loads.iter().map(resultants).collect(),
             points,
             loads: loads.to_vec(),
+            expansions: Expansions::default(),
             nodes,
             circle,
             material,
@@ -226,7 +229,22 @@ impl Disk {
                 *sum += factor * part;
             }
         }
-        Ok(Field::new(&of, hats, Body::Inside(inside, kappa), rigid))
+        let field = Field::new(&of, hats, Body::Inside(inside, kappa), rigid);
+        Ok(field.expanded(self.expansions.of(state.multipliers)))
+    }
+
+    /// The same body with the uniform strains `strains[k]` (ε_xx, ε_yy, γ_xy) `[1]` in load case k, as by a change of temperature. Nothing hinders them: they move the
+    /// body about its circle's centre and make no stress.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for another number of strains than of load cases, [`SeriesError::LoadNotFinite`], [`SeriesError::NotSymmetric`] for a shear strain of a half
+    /// model.
+    pub fn with_expansions(mut self, strains: &[[f64; 3]]) -> Result<Self, SeriesError> {
+        let cases = self.responses.len();
+        self.expansions = Expansions::new(strains, cases, self.nodes.is_mirrored())?;
+        self.expansions
+            .add_to(&mut self.responses, &self.points, self.circle.centre);
+        Ok(self)
     }
 
     fn is_centred(&self) -> bool {

@@ -26,6 +26,7 @@ use stickslip_fem_core::mesh::Point;
 
 use crate::circle::Circle;
 use crate::error::SeriesError;
+use crate::expansion::displacement;
 use crate::lekhnitskii::Planes;
 use crate::nodes::Nodes;
 pub(crate) use edges::{Edge, EdgeOf};
@@ -63,6 +64,8 @@ pub struct Field {
     /// Rigid motion in addition to that of the potentials: translation `[length]` and turn `[rad]`.
     translation: C64,
     turn: f64,
+    /// Uniform strain that makes no stress.
+    strain: [f64; 3],
 }
 
 #[derive(Clone, Debug)]
@@ -131,9 +134,15 @@ impl Field {
             unit: of.unit,
             translation: C64::new(x, y),
             turn: turn / of.circle.radius,
+            strain: [0.0; 3],
             hats,
             body,
         }
+    }
+
+    /// The same with the uniform `strain` that makes no stress.
+    pub(crate) fn expanded(self, strain: [f64; 3]) -> Self {
+        Self { strain, ..self }
     }
 
     /// Stress `[stress]` at the angle `theta` `[rad]` of the circle: σ_rr and σ_rθ interpolated between nodes, σ_θθ exact for these.
@@ -194,7 +203,9 @@ impl Field {
     fn moved(&self, zeta: C64, state: &State) -> [f64; 2] {
         let turned = C64::new(0.0, self.turn * self.circle.radius) * zeta;
         let found = state.motion * self.unit + turned + self.translation;
-        [found.re, found.im]
+        let place = zeta * self.circle.radius;
+        let [x, y] = displacement(self.strain, [place.re, place.im]);
+        [found.re + x, found.im + y]
     }
 
     fn state(&self, zeta: C64) -> State {

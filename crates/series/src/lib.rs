@@ -31,6 +31,7 @@ mod circle;
 mod disk;
 mod elasticity;
 mod error;
+mod expansion;
 mod field;
 mod gauss;
 mod half_plane;

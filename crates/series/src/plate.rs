@@ -32,6 +32,7 @@ use crate::channel::{Unit, hat_means, sides};
 use crate::circle::{Circle, Kolosov, compliance};
 use crate::elasticity::Elasticity;
 use crate::error::SeriesError;
+use crate::expansion::Expansions;
 use crate::field::{
     Body, Edge, EdgeOf, Field, Ingredients, Outside, PolarStress, check, combined, forces,
 };
@@ -93,6 +94,7 @@ pub struct Plate {
     points: Vec<Point>,
     compliance: DMatrix<f64>,
     responses: Vec<Option<DVector<f64>>>,
+    expansions: Expansions,
     mode_loads: Vec<DVector<f64>>,
 }
 
@@ -206,6 +208,7 @@ impl Plate {
             taken: [by_forces, by_loads],
             balance: columns(&balance),
             responses: columns(&responses).into_iter().map(Some).collect(),
+            expansions: Expansions::default(),
             mode_loads,
             points,
             fits,
@@ -267,7 +270,22 @@ impl Plate {
             Elasticity::Isotropic(material) => Body::Outside(outside, material.kappa),
             Elasticity::Anisotropic(planes) => Body::Planes(outside, Box::new(planes)),
         };
-        Ok(Field::new(&of, of.hats(), body, rigid))
+        let field = Field::new(&of, of.hats(), body, rigid);
+        Ok(field.expanded(self.expansions.of(state.multipliers)))
+    }
+
+    /// The same body with the uniform strains `strains[k]` (ε_xx, ε_yy, γ_xy) `[1]` in load case k, as by a change of temperature. Nothing hinders them: they move the
+    /// body about its circle's centre and make no stress.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for another number of strains than of load cases, [`SeriesError::LoadNotFinite`], [`SeriesError::NotSymmetric`] for a shear strain of a half
+    /// model.
+    pub fn with_expansions(mut self, strains: &[[f64; 3]]) -> Result<Self, SeriesError> {
+        let cases = self.responses.len();
+        self.expansions = Expansions::new(strains, cases, self.nodes.is_mirrored())?;
+        self.expansions
+            .add_to(&mut self.responses, &self.points, self.circle.centre);
+        Ok(self)
     }
 
     /// Stresses `[stress]` at the angles `angles` `[rad]` of the hole's edge under each of `states`, as [`Field::edge`] of each [`field`](Self::field), by

@@ -49,7 +49,8 @@ pub(super) fn with_stresses(
             let forces = solved.forces_on_body(&solved.records[step], index);
             let places = elastic.mesh().nodes();
             let stress = series.stresses(&solved.records[step], &forces, places);
-            let across = |own: &[f64; 3]| materials[0].thickness_stress(*own, 0.0);
+            let heating = model.request.loads.heating(index, &recovered.multipliers);
+            let across = |own: &[f64; 3]| materials[0].thickness_stress(*own, heating);
             fields.push(BodyFields {
                 body: index,
                 thickness_stress: stress.iter().map(across).collect(),

@@ -9,7 +9,8 @@ use stickslip_fem_core::material::{
 };
 use stickslip_fem_core::nalgebra::DVector;
 use stickslip_series::{
-    Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, FarLoad, Field, Hole, Nodes, Outline, Plate,
+    Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, FarLoad, Field, Hole, Nodes, Outline,
+    Plate, SeriesError,
 };
 
 const CIRCLE: Circle = Circle {
@@ -467,4 +468,81 @@ fn stress_and_displacement_together_are_those_alone() {
             }
         }
     }
+}
+
+/// A uniform strain moves nodes as its field moves them, about the centre of the circle, and makes no stress.
+#[test]
+fn a_strain_that_nothing_hinders_makes_no_stress() {
+    let strain = [2e-3, -1e-3, 4e-4];
+    let nodes = Nodes::uniform_circle(16).unwrap();
+    let outline = Outline::strip(5.0, 7.0, 6.0);
+    let disk = Disk::floating(
+        nodes.clone(),
+        &material(),
+        CIRCLE,
+        Anchor::Area,
+        &[DiskLoad::default()],
+    );
+    let disk = disk.unwrap().with_expansions(&[strain]).unwrap();
+    let accuracy = Accuracy::default();
+    let plate = Plate::new(
+        nodes.clone(),
+        &material(),
+        CIRCLE,
+        &outline,
+        &[vec![]],
+        accuracy,
+    );
+    let plate = plate.unwrap().with_expansions(&[strain]).unwrap();
+    let (none, still) = (vec![0.0; 32], [0.0; 3]);
+    let state = BodyLoad {
+        forces: &none,
+        multipliers: &[-2.0],
+        motions: &still,
+    };
+    let bodies: [(&dyn InterfaceOperator, Field); 2] = [
+        (&disk, disk.field(&state).unwrap()),
+        (&plate, plate.field(&state).unwrap()),
+    ];
+    for (body, field) in bodies {
+        let moved = body.displacements(&none, &still, &[-2.0]);
+        let expected = |[px, py]: [f64; 2]| {
+            let [x, y] = [px - CIRCLE.centre[0], py - CIRCLE.centre[1]];
+            [-2.0 * (2e-3 * x + 2e-4 * y), -2.0 * (2e-4 * x - 1e-3 * y)]
+        };
+        let close = |found: [f64; 2], expected: [f64; 2]| {
+            let apart = [0, 1].map(|axis| (found[axis] - expected[axis]).abs());
+            assert!(apart[0].max(apart[1]) < 1e-14, "{found:?} {expected:?}");
+        };
+        for (k, (point, angle)) in body.points().iter().zip(nodes.angles()).enumerate() {
+            close([moved[2 * k], moved[2 * k + 1]], expected(*point));
+            let [cx, cy] = CIRCLE.centre;
+            let place = [cx + 2.0 * angle.cos(), cy + 2.0 * angle.sin()];
+            close(field.displacement(place).unwrap(), expected(place));
+            let stress = field.stress(place).unwrap();
+            assert!(
+                stress.hoop.abs().max(stress.radial.abs()) < 1e-12,
+                "{stress:?}"
+            );
+        }
+    }
+    let of = |strains: &[[f64; 3]], nodes: Nodes| {
+        let loads = [DiskLoad::default()];
+        let disk = Disk::floating(nodes, &material(), CIRCLE, Anchor::Area, &loads).unwrap();
+        disk.with_expansions(strains).map(|_| ())
+    };
+    assert!(matches!(
+        of(&[], nodes.clone()),
+        Err(SeriesError::State { .. })
+    ));
+    let infinite = [[f64::INFINITY, 0.0, 0.0]];
+    assert!(matches!(
+        of(&infinite, nodes),
+        Err(SeriesError::LoadNotFinite { .. })
+    ));
+    let half = Nodes::uniform_half(13).unwrap();
+    assert!(matches!(
+        of(&[strain], half),
+        Err(SeriesError::NotSymmetric { .. })
+    ));
 }

@@ -10,6 +10,7 @@ mod edges;
 mod frames;
 mod half_plane;
 mod halves;
+mod heated;
 mod ladder;
 mod layers;
 mod mortar;

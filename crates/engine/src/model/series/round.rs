@@ -4,12 +4,12 @@ use std::f64::consts::PI;
 
 use stickslip_fem_core::material::{Isotropic, Material, PlaneState, PlaneStiffness};
 use stickslip_fem_core::mesh::Point;
-use stickslip_scene::schema::{Hold, LoadKind, MeshSettings};
+use stickslip_scene::schema::{Hold, Load, LoadKind, MeshSettings};
 use stickslip_scene::shape::{Curve, Role};
 use stickslip_series::{Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, Nodes, Outline, Plate};
 
 use crate::model::meshes::on_circles;
-use crate::model::plan::{BodyPlan, Plan};
+use crate::model::plan::{BodyPlan, Placed, Plan};
 use crate::series::{SeriesBody, is_isotropic};
 
 /// Fit of the outer edge of an anisotropic plate. Near its corners stresses are less smooth than in an isotropic one, which matters little on the hole.
@@ -85,14 +85,12 @@ impl Given<'_> {
             load.body == self.index
                 && matches!(
                     load.of.kind,
-                    LoadKind::Bearing { .. }
-                        | LoadKind::PolarTraction { .. }
-                        | LoadKind::Temperature { .. }
+                    LoadKind::Bearing { .. } | LoadKind::PolarTraction { .. }
                 )
         });
         match other {
             Some(load) => Err(format!(
-                "has the load '{}', neither force nor pressure",
+                "has the load '{}', neither force nor pressure nor temperature",
                 load.of.name
             )),
             None => Ok(()),
@@ -103,6 +101,7 @@ impl Given<'_> {
         let Membrane::Isotropic(material) = &self.material else {
             return Err("is not isotropic".into());
         };
+        let strains = self.expansions()?;
         let mut displacement = [0.0; 2];
         let mut held = [false; 2];
         // The springs of a fastener act evenly over the area of its slices.
@@ -150,6 +149,7 @@ impl Given<'_> {
                         }
                         own.force = *direction;
                     }
+                    LoadKind::Temperature { .. } => {}
                     _ => {
                         return Err(format!(
                             "has the load '{}' elsewhere than on its section",
@@ -167,6 +167,7 @@ impl Given<'_> {
         let make = if held[0] { Disk::held } else { Disk::floating };
         let anchor = anchor.unwrap_or_default();
         let disk = make(self.nodes, material, self.circle, anchor, &loads);
+        let disk = disk.and_then(|disk| disk.with_expansions(&strains));
         let disk = disk.map_err(|cause| cause.to_string())?;
         Ok(SeriesBody::Disk(Box::new(disk)))
     }
@@ -175,6 +176,7 @@ impl Given<'_> {
         if self.plan.supports_of(self.index).next().is_some() {
             return Err("is held along an outer edge".into());
         }
+        let strains = self.expansions()?;
         let order = cycle(straight).ok_or("has an outline that is not closed")?;
         let centre = self.plan.bodies[self.index].centre;
         let moved = |point: Point| [point[0] + centre[0], point[1] + centre[1]];
@@ -185,6 +187,10 @@ impl Given<'_> {
         let mut loads = Vec::new();
         for load in &self.plan.loads {
             if load.body != self.index {
+                loads.push(Vec::new());
+                continue;
+            }
+            if matches!(load.of.kind, LoadKind::Temperature { .. }) {
                 loads.push(Vec::new());
                 continue;
             }
@@ -221,6 +227,7 @@ impl Given<'_> {
                 ANISOTROPIC,
             ),
         };
+        let plate = plate.and_then(|plate| plate.with_expansions(&strains));
         let plate = plate.map_err(|cause| format!("has no series: {cause}"))?;
         let residual = plate.fit().residual;
         if residual > LARGEST_RESIDUAL {
@@ -229,6 +236,17 @@ impl Given<'_> {
             ));
         }
         Ok(SeriesBody::Plate(Box::new(plate)))
+    }
+
+    /// The strains of a unit of each load case: of a temperature the thermal one, which nothing hinders.
+    fn expansions(&self) -> Result<Vec<[f64; 3]>, String> {
+        let material = plane_material(self.plan, &self.plan.bodies[self.index])?;
+        let strain = |load: &Placed<'_, Load>| match load.of.kind {
+            LoadKind::Temperature { .. } if load.body == self.index => material.thermal_strain(1.0),
+            _ => [0.0; 3],
+        };
+        let loads = self.plan.loads.iter().map(strain);
+        Ok(loads.chain(std::iter::once([0.0; 3])).collect())
     }
 
     /// The force of a unit load on an edge between `ends`, of the whole body.
@@ -315,12 +333,16 @@ pub(super) fn nodes(
     made.map_err(|cause| format!("has no series: {cause}"))
 }
 
+fn plane_material(plan: &Plan<'_>, own: &BodyPlan<'_>) -> Result<Box<dyn Material>, String> {
+    let material = own.elastic.ok_or("is rigid")?.material;
+    material
+        .in_plane(plan.analysis.plane)
+        .map_err(|cause| cause.to_string())
+}
+
 /// The material of the body in its plane, of a laminate that of its membrane.
 pub(super) fn membrane(plan: &Plan<'_>, own: &BodyPlan<'_>) -> Result<Membrane, String> {
-    let material = own.elastic.ok_or("is rigid")?.material;
-    let material = material
-        .in_plane(plan.analysis.plane)
-        .map_err(|cause| cause.to_string())?;
+    let material = plane_material(plan, own)?;
     if is_isotropic(&material.stiffness()) {
         isotropic(&material.stiffness()).map(Membrane::Isotropic)
     } else {

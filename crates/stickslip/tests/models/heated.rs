@@ -1,0 +1,130 @@
+//! Changes of temperature of bodies by series, which nothing hinders but contact.
+
+use stickslip::results::{Results, SetStated, Stated};
+
+use super::displacement::ELEMENTS;
+use super::series::PIN;
+use super::{difference, solved, tractions};
+
+const PRESSED: &str = "contacts.0.interference=true";
+
+/// PIN with expansions, and its pin held over its section.
+fn scene() -> String {
+    PIN.replace(
+        "poisson = 0.33",
+        "poisson = 0.33\nexpansion = \"23e-6 1/K\"",
+    )
+    .replace(
+        "poisson = 0.3\n",
+        "poisson = 0.3\nexpansion = \"12e-6 1/K\"\n",
+    )
+    .replace("pin.centre", "pin.section")
+}
+
+fn heated(body: &str, by: [f64; 3]) -> String {
+    let [one, two, three] = by;
+    format!(
+        "loads.1={{ on = \"{body}\", temperature.steps = [\"{one} K\", \"{two} K\", \"{three} K\"] }}"
+    )
+}
+
+/// A pin that is hotter by 100 K is larger by 12 µm in 10 mm.
+#[test]
+fn a_heated_pin_is_a_larger_one() {
+    // With friction the path would matter, on which one grows and the other is as large from the first.
+    let pinned = [
+        "contacts.0.friction.coulomb.mu=0",
+        "analysis.contact_nodes=121",
+        "analysis.kinematics=small",
+        "contacts.0.gap=linearised",
+        PRESSED,
+    ];
+    let hot = solved(
+        &scene(),
+        &[&pinned[..], &[&heated("pin", [100.0; 3])]].concat(),
+    );
+    let radius = format!("bodies.pin.shape.disk.radius={} mm", 4.99 * (1.0 + 12e-4));
+    let large = solved(&scene(), &[&pinned[..], &[&radius]].concat());
+    for step in 1..3 {
+        let [one, other] = [&hot, &large].map(|own| tractions(&own.steps[step].edges[0].rows));
+        let apart = difference(one, other);
+        // The radius itself changes by a thousandth.
+        assert!(apart < 3e-3, "{step} {apart}");
+    }
+    assert!(
+        hot.steps[1].edges[0].contact_half_extent
+            > solved(&scene(), &pinned).steps[1].edges[0].contact_half_extent
+    );
+}
+
+/// A plate that is cooled shrinks onto its pin, by series as by elements, an orthotropic one unequally.
+#[test]
+fn series_and_elements_expand_alike() {
+    let laminate = scene()
+        .replace("[materials.aluminium.isotropic]", "[materials.aluminium.orthotropic]")
+        .replace(
+            "young = \"72 GPa\"\npoisson = 0.33\nexpansion = \"23e-6 1/K\"",
+            "e1 = \"110 GPa\"\ne2 = \"9 GPa\"\ng12 = \"5 GPa\"\nnu12 = 0.3\nexpansion1 = \"1e-6 1/K\"\nexpansion2 = \"25e-6 1/K\"",
+        );
+    let cold = |text: &str, elements: &[&str]| {
+        let changes = [
+            heated("plate", [0.0, -120.0, -120.0]),
+            "analysis.accuracy=1 %".into(),
+            PRESSED.into(),
+        ];
+        let changes: Vec<&str> = changes
+            .iter()
+            .map(String::as_str)
+            .chain(elements.iter().copied())
+            .collect();
+        solved(&text.replace("substeps = 1\n", ""), &changes)
+    };
+    for text in [scene(), laminate] {
+        let both = [cold(&text, &[]), cold(&text, &ELEMENTS)];
+        assert!(both[0].bodies.iter().all(|body| body.dofs < 4000));
+        for step in 0..3 {
+            for stated in [
+                Stated::PeakPressure,
+                Stated::ContactExtent,
+                Stated::FrictionForce,
+                Stated::HoopAtBearing,
+            ] {
+                let number = |own: &Results| {
+                    let edge = &own.steps[step].edges[0];
+                    (
+                        stated.value(edge).unwrap(),
+                        edge.errors.get(stated).unwrap(),
+                    )
+                };
+                let [one, other] = [&both[0], &both[1]].map(number);
+                assert!(
+                    (one.0 - other.0).abs() <= one.1 + other.1,
+                    "{stated:?} {step} {one:?} {other:?}"
+                );
+            }
+            let moved = |own: &Results| {
+                let stated = SetStated::Displacement;
+                let value = own.set_numbers(0, step).get(stated).unwrap();
+                (value, own.set_errors(0, step).get(stated).unwrap())
+            };
+            let [one, other] = [&both[0], &both[1]].map(moved);
+            assert!(
+                (one.0 - other.0).abs() <= one.1 + other.1,
+                "{step} {one:?} {other:?}"
+            );
+        }
+        // The cold plate pulls its edge towards the pin.
+        let moved = |step| {
+            both[0]
+                .set_numbers(0, step)
+                .get(SetStated::Displacement)
+                .unwrap()
+        };
+        assert!(
+            moved(2) < moved(0) - 0.01 || text.contains("e1"),
+            "{} {}",
+            moved(2),
+            moved(0)
+        );
+    }
+}
