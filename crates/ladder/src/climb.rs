@@ -5,6 +5,7 @@ use stickslip_scene::Scene;
 use stickslip_scene::schema::{Accuracy, Budget, KinematicsChoice, Memory};
 
 use crate::along::Along;
+use crate::before::{Asked, before};
 use crate::geometry::Geometry;
 use crate::grading::Grading;
 use crate::level::Level;
@@ -12,13 +13,15 @@ use crate::models::{Division, Models};
 use crate::motions::Motions;
 use crate::numbers::{Estimates, Numbers, Table, above_rounding, drop_unresolved, sum};
 use crate::path::{self, Changes, Halved, Left};
-use crate::worst::{Worst, unstated, worst, worst_of_edges, worst_of_step};
-use crate::{division, failure, places, stated, unseen};
+use crate::worst::{Worst, bounds_sets, unstated, worst, worst_of_edges, worst_of_step};
+use crate::{division, failure, places, stated, stresses, unseen};
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_engine::results::{
     Bounded, Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated,
 };
-use stickslip_engine::run::{Progress, RunError, numbers_with_errors, results, run_with};
+use stickslip_engine::run::{
+    Progress, RunError, is_unlimited, numbers_with_errors, results, run_with,
+};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -323,11 +326,16 @@ impl Climb<'_> {
         let mut halved = vec![false; substeps.len()];
         let of_sets = Estimates {
             numbers: Table::new(),
-            sets: found.left.sets.only(&self.sets_with_errors(level)),
+            sets: if bounds_sets(&level.numbers, self.bounds()) {
+                found.left.sets.only(&self.sets_with_errors(level))
+            } else {
+                Motions::default()
+            },
         };
         for step in 0..substeps.len() {
             let worst = worst_of_step(&level.numbers, &of_sets, self.bounds(), step);
             if is_too_much(worst) {
+                // Of sets it is not known which of the steps before leaves it.
                 halved[..=step].fill(true);
             }
             halved[step] |= is_large(&found.own, step);
@@ -493,10 +501,7 @@ impl Climb<'_> {
         }
         let worst = worst(&last.numbers, &errors, self.bounds());
         let missed = self.missed(worst, end);
-        let unstated = unstated(&last.numbers, &errors, self.bounds());
-        let unstated = unstated.into_iter().map(Bounded::describe).collect();
-        let unstated =
-            (end == LadderEnd::Unstated).then_some(Finding::AccuracyUnstated { numbers: unstated });
+        let unstated = self.unstated(&last.numbers, &errors, end);
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
         let uneven = self.models.uneven(&last.model);
         let bodies: Vec<String> = (uneven.iter())
@@ -511,13 +516,21 @@ impl Climb<'_> {
         (found.findings).extend(unchecked.map(|why| Finding::GeometryUnchecked { why }));
         let left_out = geometry.left_out.clone();
         (found.findings).extend(left_out.map(|why| Finding::GeometryLeftOut { why }));
-        if last.model.request.failure.is_some() && geometry.failed.is_none() {
+        let asked = Asked {
+            failure: last.model.request.failure.is_some(),
+            stresses: found.steps.iter().any(|step| !step.stresses.is_empty()),
+        };
+        if geometry.failed.is_none() {
             let others = sum(&path.numbers, &geometry.errors.numbers);
             let parts = failure::parts(&last.numbers, &others);
-            let before = failure::before(levels, self.models.solver());
+            let before = before(levels, self.models.solver(), asked);
             let is_whole = !last.model.half && obstacle_to_half(self.scene).is_none();
             let mirror = |body| is_whole.then(|| last.model.across(body)).flatten();
             failure::estimate_all(&mut found.failure, &before, &parts, mirror);
+            let origin = last.model.origin;
+            stresses::estimate_all(&mut found, &before, &parts, |body, [x, y]| {
+                !is_unlimited(&last.model, body, [x - origin[0], y - origin[1]])
+            });
         }
         stated::put(
             &mut found,
@@ -534,6 +547,14 @@ impl Climb<'_> {
             end,
         });
         Ok(found)
+    }
+
+    /// The numbers whose accuracy is asked for and that have no error.
+    fn unstated(&self, numbers: &Numbers, errors: &Estimates, end: LadderEnd) -> Option<Finding> {
+        let is_said = self.asked.is_some() && end != LadderEnd::Unchecked;
+        let found = unstated(numbers, errors, self.bounds());
+        let numbers: Vec<_> = found.into_iter().map(Bounded::describe).collect();
+        (is_said && !numbers.is_empty()).then_some(Finding::AccuracyUnstated { numbers })
     }
 
     /// That the accuracy asked for is not reached, where it is not.

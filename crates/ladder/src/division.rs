@@ -119,9 +119,8 @@ fn of_contact(
             }
         }
     }
-    let finding = ContactFinding::NoLimit { steps, numbers };
-    let is_any = !matches!(&finding, ContactFinding::NoLimit { steps, .. } if steps.is_empty());
-    is_any.then(|| Finding::about(&geometry.name, finding))
+    let is_any = !steps.is_empty();
+    is_any.then(|| Finding::about(&geometry.name, ContactFinding::NoLimit { steps, numbers }))
 }
 
 fn of_free_edge(

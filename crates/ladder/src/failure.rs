@@ -4,14 +4,9 @@
 //! geometry leave the peak stress and pressure of the step. Where a whole body is its own mirror image, so are its weakest places, of which models take either: places are compared up to
 //! that.
 
-use stickslip_contact::InterfaceSolver;
-use stickslip_engine::run::results_without_audit;
-use stickslip_scene::schema::FieldOutput;
-
-use super::level::Level;
 use super::numbers::{Numbers, Table};
 use stickslip_engine::results::{
-    BodyFailure, Errors, FailurePoint, FirstPly, JointFailure, PointErrors, Stated,
+    BodyFailure, Errors, FailurePoint, FirstPly, JointFailure, PointErrors, Results, Stated,
 };
 
 /// k of the module's equation.
@@ -32,12 +27,13 @@ struct Known<'a> {
 /// coordinate by whose sign a whole body and its mirror image differ; `None` where it is not its own.
 pub(super) fn estimate_all(
     found: &mut [BodyFailure],
-    before: &[Vec<BodyFailure>],
+    before: &[Results],
     parts: &[f64],
     mirror: impl Fn(usize) -> Option<usize>,
 ) {
     for (index, own) in found.iter_mut().enumerate() {
-        let before: Vec<_> = before.iter().filter_map(|all| all.get(index)).collect();
+        let before = before.iter().filter_map(|all| all.failure.get(index));
+        let before: Vec<_> = before.collect();
         let mirror = mirror(own.body);
         estimate(own, &before, Known { parts, mirror });
     }
@@ -47,26 +43,6 @@ fn estimate(own: &mut BodyFailure, before: &[&BodyFailure], known: Known<'_>) {
     if !before.is_empty() {
         of_body(own, before, known);
     }
-}
-
-/// What the last two of `levels` say of the failure of bodies, the finer first; of joints that are followed to their end nothing.
-pub(super) fn before(levels: Vec<Level>, solver: &dyn InterfaceSolver) -> Vec<Vec<BodyFailure>> {
-    let failure = |mut level: Level| {
-        level.model.request.fields = FieldOutput::None;
-        let failure = level.model.request.failure.as_mut()?;
-        failure.settings.envelopes = None;
-        let followed = failure.bodies.iter().any(|body| body.progressive.is_some());
-        let bodies: Vec<usize> = failure.bodies.iter().map(|body| body.body).collect();
-        let found =
-            (!followed).then(|| results_without_audit(&level.model, solver, level.solved, &bodies));
-        Some(found?.ok()?.failure)
-    };
-    levels
-        .into_iter()
-        .rev()
-        .take(2)
-        .map_while(failure)
-        .collect()
 }
 
 /// By which part of itself a stress of each step is off at most, because of the errors `left` of the load path and of the geometry.
@@ -189,7 +165,7 @@ fn of_point(
 }
 
 /// What the division leaves of a number, by those of coarser models; `None` without one.
-fn left(value: f64, before: &[f64]) -> Option<f64> {
+pub(super) fn left(value: f64, before: &[f64]) -> Option<f64> {
     let mut chain = vec![value];
     chain.extend(before);
     let changes: Vec<f64> = chain
@@ -204,6 +180,6 @@ fn size(changes: &[f64]) -> Option<f64> {
     Some(FACTOR * changes.first()?.max(RATE * before))
 }
 
-fn part(parts: &[f64], step: usize) -> f64 {
+pub(super) fn part(parts: &[f64], step: usize) -> f64 {
     parts.get(step).copied().unwrap_or(0.0)
 }

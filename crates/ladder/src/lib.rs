@@ -21,6 +21,7 @@
 //! docs/accuracy.md shows how often the truth lies within.
 
 mod along;
+mod before;
 mod budget;
 mod climb;
 mod division;
@@ -37,6 +38,7 @@ mod peaks;
 mod places;
 mod rates;
 mod stated;
+mod stresses;
 mod thinning;
 mod unseen;
 mod worst;

@@ -52,7 +52,7 @@ impl Missing {
         (edge, geometry, results): (usize, &EdgeGeometry, &EdgeResults),
     ) -> Self {
         let Some(pair) = model.edges[edge].pair else {
-            return of_free_edge(model, (edge, geometry), results);
+            return of_free_edge(model, record, (edge, geometry), results);
         };
         if model.edges[edge]
             .corners_that_press(&results.rows)
@@ -133,17 +133,21 @@ impl Missing {
 /// The numbers of the edge with the index `edge`, which touches nothing, that have no limit.
 fn of_free_edge(
     model: &Model,
+    record: &StepRecord,
     (edge, geometry): (usize, &EdgeGeometry),
     results: &EdgeResults,
 ) -> Missing {
     let own = &model.edges[edge];
     let body = &model.bodies[own.geometry.body];
     let ends: Vec<usize> = body.singular.iter().map(|place| place.node()).collect();
+    let acts = |case: usize| record.state.multipliers.get(case) != Some(&0.0);
+    let sheared = body.sheared.iter().filter(|own| own.1.is_none_or(acts));
+    let sheared: Vec<usize> = sheared.map(|own| own.0).collect();
     let at = |place: f64| {
         if own.has_beside(&ends, place) {
             Some(Cause::Support)
         } else {
-            (own.has_beside(&body.sheared, place)).then_some(Cause::Load)
+            (own.has_beside(&sheared, place)).then_some(Cause::Load)
         }
     };
     let rows = results.rows.iter();

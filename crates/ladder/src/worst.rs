@@ -105,7 +105,13 @@ fn bound_of_set(level: &Numbers, stated: SetStated, accuracy: Accuracy) -> Optio
     }
 }
 
-/// The same of sets, whose numbers are measured by no less than a small part of the largest of all sets.
+/// Whether `accuracy` bounds numbers of sets.
+pub(super) fn bounds_sets(level: &Numbers, accuracy: Accuracy) -> bool {
+    let mut all = SetStated::ALL.into_iter();
+    all.any(|stated| bound_of_set(level, stated, accuracy).is_some())
+}
+
+/// The same of sets, whose forces and displacements are measured by no less than a small part of the largest of all sets, and stiffness by that of its own history.
 fn worst_of_sets(
     level: &Numbers,
     errors: &Estimates,
@@ -116,8 +122,15 @@ fn worst_of_sets(
         let bound = bound_of_set(level, stated, accuracy)?;
         let error = errors.sets.get(step, set, stated)?;
         let own = level.sets.get(step, set, stated)?.abs();
-        let all = (0..level.sets.count()).map(|set| level.sets.largest(set, stated));
-        let scale = own.max(SMALL * all.fold(0.0, f64::max));
+        let largest = match stated {
+            // No stiffness vanishes.
+            SetStated::Secant | SetStated::Tangent => level.sets.largest(set, stated),
+            SetStated::Force | SetStated::Displacement => {
+                let all = (0..level.sets.count()).map(|set| level.sets.largest(set, stated));
+                all.fold(0.0, f64::max)
+            }
+        };
+        let scale = own.max(SMALL * largest);
         Worst::of(stated.into(), error, scale, bound)
     };
     let sets = 0..errors.sets.count();
@@ -125,21 +138,42 @@ fn worst_of_sets(
     numbers.filter_map(part).max_by(Worst::is_larger)
 }
 
-/// What `accuracy` bounds by its name, or alone where there are no edges, and has no error anywhere in `errors`.
+/// What `accuracy` bounds and has no error anywhere in `errors`: every number with a name, of others all together.
 pub(super) fn unstated(level: &Numbers, errors: &Estimates, accuracy: Accuracy) -> Vec<Bounded> {
+    let touches = level.geometries.iter().any(|geometry| geometry.contact);
+    let edges = level.geometries.iter().enumerate();
+    let edges = edges.filter(|(_, geometry)| geometry.contact || !touches);
+    let edges: Vec<usize> = edges.map(|(edge, _)| edge).collect();
+    let steps = 0..level.steps.len();
+    let any_edge = |is_so: &dyn Fn(usize, usize) -> bool| {
+        let mut all = steps
+            .clone()
+            .flat_map(|step| edges.iter().map(move |&edge| (step, edge)));
+        all.any(|(step, edge)| is_so(step, edge))
+    };
     let has_error = |number: Bounded| match number {
-        Bounded::Edge(stated) => {
-            let mut edges = errors.numbers.iter().flatten();
-            edges.any(|own| own.get(stated).is_some())
-        }
+        Bounded::Edge(stated) => any_edge(&|step, edge| {
+            let own = errors.numbers.get(step).and_then(|step| step.get(edge));
+            own.is_some_and(|own| own.get(stated).is_some())
+        }),
         Bounded::Set(stated) => errors.sets.have(stated),
+    };
+    let is_there = |number: Bounded| match number {
+        Bounded::Edge(stated) => any_edge(&|step, edge| {
+            let value = stated.value(&level.steps[step][edge]);
+            value.is_some_and(|value| value != 0.0)
+        }),
+        Bounded::Set(_) => true,
     };
     let sets = SetStated::ALL.into_iter();
     let sets = sets.filter(|&stated| bound_of_set(level, stated, accuracy).is_some());
-    let edges = Stated::ALL.into_iter().map(Bounded::from);
-    let edges = edges.filter(|number| {
-        matches!(accuracy, Accuracy::Named(_)) && number.bound(accuracy).is_some()
-    });
-    let asked = edges.chain(sets.map(Bounded::from));
-    asked.filter(|&number| !has_error(number)).collect()
+    let numbers = Stated::ALL.into_iter().map(Bounded::from);
+    let numbers = numbers.filter(|number| number.bound(accuracy).is_some());
+    let asked: Vec<Bounded> = numbers.chain(sets.map(Bounded::from)).collect();
+    let without = asked.iter().copied().filter(|&number| !has_error(number));
+    match accuracy {
+        Accuracy::Named(_) => without.collect(),
+        Accuracy::Overall(_) if asked.iter().any(|&number| has_error(number)) => Vec::new(),
+        Accuracy::Overall(_) => without.filter(|&number| is_there(number)).collect(),
+    }
 }

@@ -13,6 +13,10 @@ pub struct StressPeak {
     pub stress: f64,
     /// Place x, y `[mm]`.
     pub at: [f64; 2],
+    /// By how much it is larger at nodes of cells that are left out in part, where stresses have no bound `[MPa]`.
+    pub beyond: f64,
+    /// Estimated error `[MPa]`, where an accuracy was sought and the stress has a limit.
+    pub error: Option<f64>,
 }
 
 /// The largest stresses of a body at the end of a load step. Places within two fifths of the body's smaller side of a held point, and within a twentieth of the end

@@ -23,8 +23,8 @@ pub struct ModelBody {
     pub across: Option<usize>,
     /// Where its stresses have no bound.
     pub singular: Vec<Singular>,
-    /// Nodes at which tractions along its edges end.
-    pub sheared: Vec<usize>,
+    /// Nodes at which tractions along its edges end, each with the load case of the traction, if it is no spring.
+    pub sheared: Vec<(usize, Option<usize>)>,
     /// Its re-entrant corners, towards which stress has no limit either.
     pub corners: Vec<ReentrantCorner>,
     /// Von Mises stress at which its material yields `[MPa]`, where the scene gives one.

@@ -23,6 +23,8 @@ use stickslip_scene::shape::Edge;
 
 /// Sine of the angle up to which two directions are one.
 const PARALLEL: f64 = 1e-9;
+/// Part of a displacement up to which another one is the same.
+const EQUAL: f64 = 1e-9;
 /// Part of the body's modulus times its thickness that springs on it are at least as stiff as.
 const SOFTEST: f64 = 1e-9;
 
@@ -127,13 +129,16 @@ impl Loaded<'_> {
         for (count, own) in all.iter().enumerate() {
             for other in &all[..count] {
                 let directions = other.hold.directions();
-                let along = own.hold.directions().into_iter();
-                let is_along = |one: [f64; 2]| {
+                let differs = |one: [f64; 2]| {
                     let mut others = directions.iter();
-                    others.any(|two| (one[0] * two[1] - one[1] * two[0]).abs() < PARALLEL)
+                    others.any(|two| {
+                        let is_along = (one[0] * two[1] - one[1] * two[0]).abs() < PARALLEL;
+                        let there = (one[0] * two[0] + one[1] * two[1]) * other.displacement;
+                        let size = own.displacement.abs().max(there.abs());
+                        is_along && (own.displacement - there).abs() > EQUAL * size
+                    })
                 };
-                let differ = own.displacement != other.displacement;
-                if differ && along.into_iter().any(is_along) && self.share(own, other) {
+                if own.hold.directions().into_iter().any(differs) && self.share(own, other) {
                     return Err(ModelError::Contradiction {
                         on: [other, own].map(|support| support.on.to_string()),
                         other: other.index,

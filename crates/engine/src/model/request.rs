@@ -211,9 +211,11 @@ fn drive(scene: &mut Scene, on: &SetRef, axis: Axis, end: f64) {
         }
     }
     scene.supports = kept;
+    let numbers = scene.supports.iter().map(|support| support.index + 1);
+    let next = numbers.max().unwrap_or(0);
     let mut hold = |axes, displacement| {
         scene.supports.push(Support {
-            index: scene.supports.len(),
+            index: next,
             on: on.clone(),
             hold: Hold::Axes(axes),
             displacement,

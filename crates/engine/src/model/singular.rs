@@ -201,28 +201,29 @@ pub(super) fn places(
         }
         let path = mesh.edge_path(&on.set)?;
         let ends = ends(&path, mesh, axis);
-        places.extend(ends.map(|[node, _]| Singular::End(node)));
+        places.extend(ends.into_iter().map(|[node, _]| Singular::End(node)));
     }
     Ok(places)
 }
 
-/// The nodes of the body with the index `body` at which tractions along its edges end: of forces, and of springs. At a corner stress then depends on the side from which one
+/// The nodes of the body with the index `body` at which tractions along its edges end: of forces, with their load cases, and of springs. At a corner stress then depends on the side from which one
 /// comes, and along a smooth edge it has no limit.
 pub(super) fn sheared(
     plan: &Plan<'_>,
     body: usize,
     mesh: &Mesh,
     axis: Option<Axis>,
-) -> Result<Vec<usize>, MeshError> {
-    let loads = plan.loads.iter().filter(|load| load.body == body);
-    let forces = loads.filter_map(|load| match &load.of.kind {
-        LoadKind::Force { on, direction, .. } => Some((on, vec![*direction])),
+) -> Result<Vec<(usize, Option<usize>)>, MeshError> {
+    let loads = plan.loads.iter().enumerate();
+    let loads = loads.filter(|(_, load)| load.body == body);
+    let forces = loads.filter_map(|(case, load)| match &load.of.kind {
+        LoadKind::Force { on, direction, .. } => Some((on, vec![*direction], Some(case))),
         _ => None,
     });
     let springs = plan.springs.iter().filter(|own| own.body == body);
-    let springs = springs.map(|own| (&own.of.on, own.of.hold.directions()));
+    let springs = springs.map(|own| (&own.of.on, own.of.hold.directions(), None));
     let mut nodes = Vec::new();
-    for (on, directions) in forces.chain(springs) {
+    for (on, directions, case) in forces.chain(springs) {
         if mesh.edge_set(&on.set).is_err() {
             continue;
         }
@@ -233,7 +234,7 @@ pub(super) fn sheared(
             let along = |of: &[f64; 2]| (of[0] * edge[0] + of[1] * edge[1]).abs();
             let length = edge[0].hypot(edge[1]);
             if directions.iter().any(|own| along(own) > ALONG * length) {
-                nodes.push(node);
+                nodes.push((node, case));
             }
         }
     }
@@ -241,21 +242,19 @@ pub(super) fn sheared(
 }
 
 /// The nodes at the ends of an open edge, each with the next one. On the `axis` of half a model no edge ends.
-fn ends(path: &EdgePath, mesh: &Mesh, axis: Option<Axis>) -> impl Iterator<Item = [usize; 2]> {
-    let ends = match path.nodes[..] {
+fn ends(path: &EdgePath, mesh: &Mesh, axis: Option<Axis>) -> Vec<[usize; 2]> {
+    let mut ends = match path.nodes[..] {
         [first, second, .., before, last] if !path.closed => vec![[first, second], [last, before]],
         [first, last] if !path.closed => vec![[first, last], [last, first]],
         _ => Vec::new(),
     };
     let [low, high] = mesh.bounding_box();
-    let on_axis = move |at: Point| {
+    let on_axis = |at: Point| {
         axis.is_some_and(|axis| {
             let size = high[axis.coordinate] - low[axis.coordinate];
             (at[axis.coordinate] - axis.at).abs() <= ROUNDING * size
         })
     };
-    let own = ends
-        .into_iter()
-        .filter(|end| !on_axis(mesh.nodes()[end[0]]));
-    own.collect::<Vec<_>>().into_iter()
+    ends.retain(|end| !on_axis(mesh.nodes()[end[0]]));
+    ends
 }

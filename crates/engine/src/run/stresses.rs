@@ -136,22 +136,21 @@ fn largest(
     let material = elastic.materials().first()?;
     let heating = (model.request.loads).heating(index, &recovered.multipliers);
     let mesh = elastic.mesh();
-    let left_out = left_out(model, index, mesh);
-    let bounded = |at: &Point| {
-        let apart =
-            |(place, reach): &(Point, f64)| (at[0] - place[0]).hypot(at[1] - place[1]) > *reach;
-        left_out.iter().all(apart)
-    };
-    let nodes: Vec<(Point, [f64; 3])> = (mesh.nodes().iter().copied())
-        .zip(stress.iter().copied())
-        .filter(|(at, _)| bounded(at))
-        .collect();
+    let (kept, beside) = kept(mesh, &left_out(model, index, mesh));
+    let places = mesh.nodes();
     let peak = |size: &dyn Fn([f64; 3]) -> f64| {
-        let sized = nodes.iter().map(|&(at, stress)| StressPeak {
-            stress: size(stress),
-            at,
-        });
-        sized.max_by(|one, other| one.stress.total_cmp(&other.stress))
+        let largest = |nodes: &[usize]| {
+            let sized = nodes.iter().map(|&node| (node, size(stress[node])));
+            sized.max_by(|one, other| one.1.total_cmp(&other.1))
+        };
+        let (node, own) = largest(&kept)?;
+        let beyond = largest(&beside).map_or(0.0, |(_, stress)| stress - own);
+        Some(StressPeak {
+            stress: own,
+            at: places[node],
+            beyond: beyond.max(0.0),
+            error: None,
+        })
     };
     let least = peak(&|stress| -principal(stress)[1])?;
     Some(BodyStresses {
@@ -165,19 +164,46 @@ fn largest(
     })
 }
 
-/// Places where stresses have no bound `[mm]`, and how far around them they are left out.
-fn left_out(model: &Model, index: usize, mesh: &Mesh) -> Vec<(Point, f64)> {
-    let body = &model.bodies[index];
+/// The nodes outside of the circles `left_out`, and those inside whose cells are cut by one.
+fn kept(mesh: &Mesh, left_out: &[(Point, f64)]) -> (Vec<usize>, Vec<usize>) {
+    let outside = |at: &Point| {
+        let mut places = left_out.iter();
+        places.all(|(place, reach)| (at[0] - place[0]).hypot(at[1] - place[1]) > *reach)
+    };
+    let is_kept: Vec<bool> = mesh.nodes().iter().map(outside).collect();
+    let mut is_beside = vec![false; is_kept.len()];
+    if !left_out.is_empty() {
+        let cells = mesh.blocks().iter();
+        for cell in cells.flat_map(|block| block.connectivity.chunks(block.kind.nodes())) {
+            if cell.iter().any(|&node| is_kept[node]) {
+                for &node in cell {
+                    is_beside[node] = !is_kept[node];
+                }
+            }
+        }
+    }
+    let those = |is_so: &[bool]| (0..is_so.len()).filter(|&node| is_so[node]).collect();
+    (those(&is_kept), those(&is_beside))
+}
+
+/// The smaller side of the body with the index `index` `[mm]`, of half a model that of the whole.
+fn smaller_side(model: &Model, index: usize, mesh: &Mesh) -> f64 {
     let [low, high] = mesh.bounding_box();
     let side = |axis: usize| {
         let own = high[axis] - low[axis];
-        if body.across == Some(axis) {
+        if model.bodies[index].across == Some(axis) {
             2.0 * own
         } else {
             own
         }
     };
-    let smaller = side(0).min(side(1));
+    side(0).min(side(1))
+}
+
+/// Places where stresses have no bound `[mm]`, and how far around them they are left out.
+fn left_out(model: &Model, index: usize, mesh: &Mesh) -> Vec<(Point, f64)> {
+    let body = &model.bodies[index];
+    let smaller = smaller_side(model, index, mesh);
     let places = body.singular.iter();
     let place = |place: &Singular| {
         let part = match place {
@@ -187,6 +213,23 @@ fn left_out(model: &Model, index: usize, mesh: &Mesh) -> Vec<(Point, f64)> {
         (mesh.nodes()[place.node()], part * smaller)
     };
     places.map(place).collect()
+}
+
+/// Whether stress at the place `at` of the body with the index `index` has no limit, or none that finer cells approach: beside a re-entrant corner and where a traction along an
+/// edge ends.
+pub fn is_unlimited(model: &Model, index: usize, at: Point) -> bool {
+    let body = &model.bodies[index];
+    let Some(elastic) = body.elastic() else {
+        return false;
+    };
+    let mesh = elastic.mesh();
+    let corners = body.corners.iter().map(|corner| corner.node);
+    let mut nodes = corners.chain(body.sheared.iter().map(|own| own.0));
+    let reach = FROM_END * smaller_side(model, index, mesh);
+    nodes.any(|node| {
+        let [x, y] = mesh.nodes()[node];
+        (at[0] - x).hypot(at[1] - y) <= reach
+    })
 }
 
 /// Bodies whose von Mises stress exceeds their yield stress in a step of `steps`.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use stickslip_engine::results::{BodyStresses, Results, StressPeak};
 use stickslip_report::table::Table;
-use stickslip_text::{short, significant};
+use stickslip_text::{short, significant, tidy};
 
 use super::findings::load_steps;
 use super::quantity::{Quantity, Vector};
@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-12;
 /// What the table says of its places.
 pub(super) const NOTE: &str = "At the nodes of the elastic bodies, each in the step with its largest von Mises stress: of bodies with a yield stress among all steps, of \
                     others among those with fields. Around held points, within two fifths of the body's smaller side, and ends of supported edges, within a twentieth, \
-                    stresses have no bound and are left out; at re-entrant corners they have none either, and are those of the mesh.";
+                    stresses have no bound and are left out; at re-entrant corners they have none either, are those of the mesh, and have no error.";
 
 /// The largest stresses of every body, in the step with its largest von Mises stress; `None` where no step has stresses.
 pub(super) fn table(results: &Results) -> Option<Table> {
@@ -25,6 +25,13 @@ pub(super) fn table(results: &Results) -> Option<Table> {
          yield [{stress}]"
     );
     let value = |stress: f64| significant(units.stress.from_base(stress), 4);
+    let stated = |peak: StressPeak| match peak.error {
+        None => value(peak.stress),
+        Some(error) => {
+            let [stress, error] = [peak.stress, error].map(|own| units.stress.from_base(own));
+            format!("{} ± {}", significant(stress, 5), significant(error, 2))
+        }
+    };
     let place = |peak: StressPeak| {
         let far = peak.at[0].abs().max(peak.at[1].abs());
         let clean = |at: f64| if at.abs() < ROUNDING * far { 0.0 } else { at };
@@ -36,7 +43,7 @@ pub(super) fn table(results: &Results) -> Option<Table> {
         let body: &stickslip_engine::results::BodySummary = body;
         let yields = body.yield_stress.map_or("–".into(), value);
         let peaks = [own.von_mises, own.largest_principal, own.least_principal];
-        let peaks = peaks.map(|peak| [value(peak.stress), place(peak)]);
+        let peaks = peaks.map(|peak| [stated(peak), place(peak)]);
         let cells = [body.name.clone(), (step + 1).to_string()].into_iter();
         Some(cells.chain(peaks.into_iter().flatten()).chain([yields]))
     };
@@ -94,6 +101,9 @@ pub(super) struct Entry<'a> {
 struct Peak {
     #[serde(flatten)]
     stress: Quantity,
+    /// In the unit of the stress.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<f64>,
     at: Vector,
 }
 
@@ -102,6 +112,7 @@ pub(super) fn entries(results: &Results, step: usize) -> Vec<Entry<'_>> {
     let units = results.units;
     let peak = |own: StressPeak| Peak {
         stress: Quantity::of(units.stress, own.stress),
+        error: (own.error).and_then(|error| tidy(units.stress.from_base(error))),
         at: Vector::of(units.length, own.at),
     };
     let entry = |own: &BodyStresses| Entry {

@@ -122,6 +122,23 @@ fn supports_that_contradict_each_other_are_named() {
         refused(skew),
         Some(ModelError::Contradiction { .. })
     ));
+    // The same motion against the other direction.
+    let both = format!("supports.3={moved}");
+    let turned = |by: &str| {
+        let other = format!(
+            "supports.2={{ on = \"plate.right\", normal = \"180 deg\", displacement = \"{by} mm\" }}"
+        );
+        Model::build(&scene(
+            PLATE,
+            &["supports.0.fix=[\"y\"]", "loads=[]", springs, &other, &both],
+        ))
+        .err()
+    };
+    assert!(turned("-0.1").is_none(), "{:?}", turned("-0.1"));
+    assert!(matches!(
+        turned("0.1"),
+        Some(ModelError::Contradiction { index: 3, .. })
+    ));
     for agrees in [moved.replace("0.1", "0"), moved.replace("\"x\"", "\"y\"")] {
         assert!(refused(&agrees).is_none(), "{agrees}");
     }

@@ -82,6 +82,21 @@ on = "block.top"
         let is_one = |own: &Finding| matches!(own, Finding::NoValueAtLoadEnd { edge: own, .. } if own == edge);
         assert!(is_said(&results, is_one), "{:?}", results.findings);
     }
+    // In a step without the load nothing is singular.
+    let unloaded = r#"loads.1={ on = "block.left", pressure.steps = ["2 MPa", "1 MPa"] }"#;
+    let steps = [
+        "analysis.accuracy=1 %",
+        r#"loads.0.force.steps=["0 kN", "1.2 kN"]"#,
+        unloaded,
+    ];
+    let bed = sheared.replace(r#"fix = ["x", "y"]"#, r#"fix = ["y"]"#)
+        + "[[supports]]\non = \"block.a\"\nfix = [\"x\"]\n";
+    let results = found(&bed, &steps);
+    let edges = results.steps.iter().map(|step| &step.edges[1].errors);
+    let has_error: Vec<bool> = edges
+        .map(|own| own.get(Stated::PeakHoop).is_some())
+        .collect();
+    assert_eq!(has_error, [true, false]);
     // Across the edge the same load ends without harm.
     let pressed = [
         "analysis.accuracy=1 %",

@@ -1,8 +1,12 @@
 //! The yield stress of a metal: which bodies exceed it, where, and in which steps.
 
-use stickslip::results::{Finding, Quantity, Results, Yield};
+use stickslip::results::{
+    BodyStresses, Finding, Quantity, Results, StepResults, StressPeak, Yield,
+};
 use stickslip::scene::{Format, Scene};
 
+use super::displacement::ELEMENTS;
+use super::series::PIN;
 use super::solved;
 
 /// A ring of radii 10 and 20 mm under pressure in its hole.
@@ -134,4 +138,80 @@ fn a_laminate_has_no_yield_stress() {
     let error =
         Scene::from_text(&laminate, Format::Toml, "s.toml", "".as_ref(), &none).unwrap_err();
     assert_eq!(error.to_string(), "s.toml:8:1: unknown key 'yield'");
+}
+
+/// Largest stresses of a pinned plate lie within the errors of series and of elements, and those of a clamped one within its own of cells four times as fine.
+#[test]
+fn largest_stresses_have_errors_that_hold() {
+    let pinned = PIN
+        .replace("substeps = 1\n", "")
+        .replace("pin.centre", "pin.section")
+        .replace("poisson = 0.3\n", "poisson = 0.3\nyield = \"2 GPa\"\n")
+        .replace("poisson = 0.33\n", "poisson = 0.33\nyield = \"2 GPa\"\n");
+    let asked = "analysis.accuracy=2 %";
+    let series = solved(&pinned, &[asked]);
+    let elements = solved(&pinned, &[&[asked], &ELEMENTS[..]].concat());
+    for (one, other) in series.steps.iter().zip(&elements.steps) {
+        assert_eq!(one.stresses.len(), 2);
+        for (one, other) in peaks(one).into_iter().zip(peaks(other)) {
+            let both = one.error.unwrap() + other.error.unwrap();
+            assert!(
+                (one.stress - other.stress).abs() <= both,
+                "{one:?} {other:?}"
+            );
+        }
+    }
+    // Beside the clamp stress is left out within a twentieth of the height, and grows towards there.
+    let clamped = r#"
+version = 1
+[materials.metal.isotropic]
+young = "70 GPa"
+poisson = 0.3
+yield = "2 GPa"
+[bodies.plate]
+material = "metal"
+thickness = "3 mm"
+[bodies.plate.shape.outline]
+start = ["0 mm", "0 mm"]
+edges = [{ name = "bottom", to = ["60 mm", "0 mm"] }, { name = "right", to = ["60 mm", "20 mm"] }, { name = "top", to = ["0 mm", "20 mm"] }, { name = "left" }]
+holes.eye = { centre = ["30 mm", "12 mm"], radius = "3 mm" }
+[[supports]]
+on = "plate.left"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.right"
+force = { direction = [0.3, -1], steps = ["500 N"] }
+[output]
+fields = "none"
+figures = false
+"#;
+    let own = solved(clamped, &[asked]);
+    let fine = clamped.replace("name =", "refine = 4, name =");
+    let fine = solved(&fine, &["mesh.spacing=0.5 deg"]);
+    for (one, truth) in peaks(&own.steps[0]).into_iter().zip(peaks(&fine.steps[0])) {
+        assert!(
+            (one.stress - truth.stress).abs() <= one.error.unwrap(),
+            "{one:?} {truth:?}"
+        );
+        assert_eq!(truth.error, None);
+    }
+    // Beside a re-entrant corner there is no limit.
+    let notched = clamped.replace(
+        "{ name = \"top\", to",
+        "{ name = \"deep\", to = [\"20 mm\", \"20 mm\"] }, { name = \"drop\", to = [\"20 mm\", \"14 mm\"] }, { name = \"top\", to",
+    );
+    let notched = notched
+        .replace("[\"0 mm\", \"20 mm\"]", "[\"0 mm\", \"14 mm\"]")
+        .replace("30 mm\", \"12", "40 mm\", \"8");
+    let notched = solved(&notched, &[asked]);
+    let highest = peaks(&notched.steps[0])[0];
+    assert!(
+        highest.error.is_none() && (highest.at[0] - 20.0).abs() < 1.0,
+        "{highest:?}"
+    );
+}
+
+fn peaks(step: &StepResults) -> Vec<StressPeak> {
+    let own = |own: &BodyStresses| [own.von_mises, own.largest_principal, own.least_principal];
+    step.stresses.iter().flat_map(own).collect()
 }

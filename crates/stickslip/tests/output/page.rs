@@ -80,6 +80,8 @@ fn bodies_are_shown_whole_with_their_stresses_and_both_sides_of_a_contact() {
     let peak = |stress: f64| StressPeak {
         stress: stress * PSI,
         at: [25.4, 0.0],
+        beyond: 0.0,
+        error: None,
     };
     results.bodies[1].yield_stress = Some(5000.0 * PSI);
     results.steps[2].stresses = vec![BodyStresses {

@@ -43,11 +43,11 @@ fn remedy(bodies: &[String]) -> String {
     format!("Hold an edge instead; a pin, over its section (on = \"{body}.section\").")
 }
 
-/// The largest stress along `edge` where a support ends.
+/// Stresses along `edge` where a support ends.
 pub(super) fn support_end(edge: &str, steps: &str) -> String {
     format!(
-        "No error is stated for the peak tangential stress along {edge} in {steps}: towards the end of a support stress grows without limit with every \
-         finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section."
+        "No error is stated for tangential stresses along {edge} in {steps} (the peak, or that at the bearing point or x = 0): towards the end of a support stress grows without limit with \
+         every finer mesh, and the value is that of this division. Report an edge that the support does not end at, or spread the hold over the body's section."
     )
 }
 
@@ -55,7 +55,7 @@ pub(super) fn support_end(edge: &str, steps: &str) -> String {
 pub(super) fn load_end(edge: &str, steps: &str) -> String {
     format!(
         "No error is stated for tangential stresses along {edge} in {steps}: where a force, or springs, along an edge end, stress depends on the side from which one comes to \
-         the corner, or has no limit, and the value is that of the cells. Let the load end elsewhere, or act across the edge."
+         the corner, or has no limit, and the value is that of this division. Let the load end elsewhere, or act across the edge."
     )
 }
 
