@@ -31,9 +31,10 @@ pub struct FreeBody {
     pub slipping: Vec<usize>,
 }
 
-/// The bodies that take part in motions without resistance.
-pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
-    let motions = unresisted_motions(problem);
+/// The bodies that take part in motions without resistance, as [`unresisted_motions`] finds them.
+pub fn free_bodies(problem: &InterfaceProblem, apart: f64) -> Vec<FreeBody> {
+    let motions = unresisted_motions(problem, apart);
+    let still = NEGLIGIBLE.max(2.0 * apart);
     if motions.ncols() == 0 {
         return Vec::new();
     }
@@ -55,7 +56,7 @@ pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
                 .into_iter()
                 .filter(|&pair| {
                     let points = problem.pair_points(pair);
-                    relative.rows(2 * points.start, 2 * points.len()).amax() > NEGLIGIBLE
+                    relative.rows(2 * points.start, 2 * points.len()).amax() > still
                 })
                 .collect(),
         }
@@ -164,7 +165,9 @@ pub(crate) fn pressed<'a>(
 }
 
 /// Columns α of length 1 that nothing resists, m × f, in the units of [`InterfaceProblem::modes`].
-pub fn unresisted_motions(problem: &InterfaceProblem) -> DMatrix<f64> {
+/// `apart` is the largest angle `[rad]` by which points of round pairs stand along their edge beside those that they are paired with, 0 where
+/// they face each other: bodies that turn together then change gaps by as much of their motion, which resists nothing.
+pub fn unresisted_motions(problem: &InterfaceProblem, apart: f64) -> DMatrix<f64> {
     let modes = problem.modes();
     if modes.ncols() == 0 {
         return DMatrix::zeros(0, 0);
@@ -191,7 +194,7 @@ pub fn unresisted_motions(problem: &InterfaceProblem) -> DMatrix<f64> {
         return DMatrix::zeros(modes.ncols(), 0);
     };
     let free: Vec<DVector<f64>> = (0..right.nrows())
-        .filter(|&k| svd.singular_values[k] <= NEGLIGIBLE * largest)
+        .filter(|&k| svd.singular_values[k] <= NEGLIGIBLE.max(apart) * largest)
         .map(|k| right.row(k).transpose())
         .collect();
     if free.is_empty() {

@@ -159,6 +159,7 @@ impl Model {
             Ok(ModelBody {
                 name: own.name.to_owned(),
                 across,
+                seated: own.seat.as_ref().map_or(0.0, Seat::largest_shift),
                 singular,
                 sheared,
                 corners: (meshes.get(&index))

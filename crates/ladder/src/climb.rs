@@ -301,13 +301,13 @@ impl Climb<'_> {
             self.record(&finer, None);
             halved = self.to_halve(&finer, &found);
             let is_fine = !halved.contains(&true);
-            if is_fine || self.is_spent(&finer) {
+            // Of fewer increments too little is known to answer with them: all may slip alike.
+            let least = LEAST * self.scene.analysis.substeps();
+            let is_enough = substeps.iter().all(|&count| count >= least);
+            if is_fine || is_enough && self.is_spent(&finer) {
                 self.ran_out = !is_fine;
                 return Ok((finer, found.left));
             }
-            // Of fewer increments too little is known to answer with them.
-            let least = LEAST * self.scene.analysis.substeps();
-            let is_enough = substeps.iter().all(|&count| count >= least);
             left = is_enough.then_some(found.left);
             base = finer;
         }

@@ -151,7 +151,7 @@ fn of_free_edge(
         }
     };
     let rows = results.rows.iter();
-    let largest = rows.fold(0.0, |most: f64, row| most.max(row.sigma_tangential.abs()));
+    let largest = rows.map(EdgeRow::largest_stress).fold(0.0, f64::max);
     let peak = results
         .peak_hoop
         .filter(|peak| peak.0.abs() > SMALL * largest);

@@ -1,6 +1,6 @@
 //! The error that is largest beside what is asked.
 
-use stickslip_engine::results::{Bounded, EdgeResults, SetStated, Stated};
+use stickslip_engine::results::{Bounded, EdgeResults, EdgeRow, SetStated, Stated};
 use stickslip_scene::schema::Accuracy;
 
 use super::numbers::{Estimates, Numbers, Table, balanced_friction};
@@ -54,8 +54,8 @@ pub(super) fn worst_of_step(
     edges.into_iter().chain(sets).max_by(Worst::is_larger)
 }
 
-/// The same of its edges. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, friction and stick by
-/// the largest of their history, and friction by no less than what may balance itself.
+/// The same of its edges. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, and by no less than a small part of all
+/// stresses along edges; friction and stick by the largest of their history, and friction by no less than what may balance itself.
 pub(super) fn worst_of_edges(
     level: &Numbers,
     errors: &Table,
@@ -66,6 +66,11 @@ pub(super) fn worst_of_edges(
     let edges = level.geometries.iter().enumerate();
     let edges = edges.filter(|(_, geometry)| geometry.contact || !touches);
     let numbers = edges.flat_map(|(edge, _)| Stated::ALL.map(|stated| (edge, stated)));
+    let rubs = |(edge, stated): &(usize, Stated)| {
+        level.geometries[*edge].contact || *stated != Stated::FrictionForce
+    };
+    let numbers = numbers.filter(rubs);
+    let stress = largest_stress(level);
     let part = |(edge, stated): (usize, Stated)| {
         let number = Bounded::from(stated);
         let bound = number.bound(accuracy)?;
@@ -85,13 +90,19 @@ pub(super) fn worst_of_edges(
             Stated::StickExtent => largest,
             Stated::PeakHoop | Stated::HoopAtBearing => {
                 let pressure = Stated::PeakPressure.value(own).unwrap_or(0.0);
-                size(own).max(SMALL * largest).max(pressure)
+                size(own).max(SMALL * largest.max(stress)).max(pressure)
             }
             _ => size(own).max(SMALL * largest),
         };
         Worst::of(number, error, scale, bound)
     };
     numbers.filter_map(part).max_by(Worst::is_larger)
+}
+
+/// The largest stress along any edge in the history `[MPa]`.
+fn largest_stress(level: &Numbers) -> f64 {
+    let rows = level.steps.iter().flatten().flat_map(|edge| &edge.rows);
+    rows.map(EdgeRow::largest_stress).fold(0.0, f64::max)
 }
 
 /// What `accuracy` allows of the number `stated` of sets. One that names nothing bounds displacements where there are no edges.

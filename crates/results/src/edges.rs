@@ -157,6 +157,15 @@ impl EdgeGeometry {
     }
 }
 
+impl EdgeRow {
+    /// The largest of its stresses in size `[MPa]`.
+    pub fn largest_stress(&self) -> f64 {
+        let all = [self.sigma_normal, self.sigma_tangential, self.tau];
+        all.into_iter()
+            .fold(0.0, |most: f64, own| most.max(own.abs()))
+    }
+}
+
 impl EdgeResults {
     /// Moves places by `by` `[mm]`, on the edge `geometry`.
     pub fn place(&mut self, geometry: &EdgeGeometry, [by, _]: [f64; 2]) {

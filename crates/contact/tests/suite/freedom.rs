@@ -73,8 +73,8 @@ fn a_disk_without_friction_turns_in_its_hole() {
         turns: true,
         slipping: vec![0],
     };
-    assert_eq!(free_bodies(&disk(0.0)), [free]);
-    assert!(free_bodies(&disk(0.1)).is_empty());
+    assert_eq!(free_bodies(&disk(0.0), 0.0), [free]);
+    assert!(free_bodies(&disk(0.1), 0.0).is_empty());
 }
 
 /// Held at its centre, its only motion moves no point along a normal but for rounding.
@@ -85,8 +85,8 @@ fn a_disk_held_at_its_centre_turns_without_friction() {
         turns: true,
         slipping: vec![0],
     };
-    assert_eq!(free_bodies(&disk_with(0.0, 2)), [free]);
-    assert!(free_bodies(&disk_with(0.1, 2)).is_empty());
+    assert_eq!(free_bodies(&disk_with(0.0, 2), 0.0), [free]);
+    assert!(free_bodies(&disk_with(0.1, 2), 0.0).is_empty());
 }
 
 /// A disk that no point presses, or one point alone, may lie elsewhere; between two sticking points it cannot.
@@ -142,17 +142,17 @@ fn a_block_without_friction_slides_on_its_plane() {
         turns: false,
         slipping: vec![0],
     };
-    assert_eq!(free_bodies(&block(0.0)), [free]);
-    assert!(free_bodies(&block(0.1)).is_empty());
+    assert_eq!(free_bodies(&block(0.0), 0.0), [free]);
+    assert!(free_bodies(&block(0.1), 0.0).is_empty());
 }
 
 #[test]
 fn without_rigid_motions_or_without_contact_there_is_nothing_to_resist() {
     let places = vec![[0.0, 0.0], [1.0, 0.0]];
     let [first, second] = [0, 1].map(|_| RigidBody::held(places.clone(), 1));
-    assert!(free_bodies(&pair([&first, &second], &[[0.0, 1.0]; 2], 0.0)).is_empty());
-    assert!(free_bodies(&InterfaceProblem::new(&[&first], Vec::new()).unwrap()).is_empty());
+    assert!(free_bodies(&pair([&first, &second], &[[0.0, 1.0]; 2], 0.0), 0.0).is_empty());
+    assert!(free_bodies(&InterfaceProblem::new(&[&first], Vec::new()).unwrap(), 0.0).is_empty());
     let loose = RigidBody::sliding(Vec::new(), [true, false], &[[0.0, 0.0]]);
-    let alone = free_bodies(&InterfaceProblem::new(&[&loose], Vec::new()).unwrap());
+    let alone = free_bodies(&InterfaceProblem::new(&[&loose], Vec::new()).unwrap(), 0.0);
     assert_eq!(alone.len(), 1);
 }

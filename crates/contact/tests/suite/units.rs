@@ -122,7 +122,7 @@ proptest! {
             [Some(one), Some(other)] => prop_assert!((one / other - 1.0).abs() < SAME),
             [one, other] => prop_assert_eq!(one.is_some(), other.is_some()),
         }
-        prop_assert_eq!(free_bodies(&one), free_bodies(&other));
+        prop_assert_eq!(free_bodies(&one, 0.0), free_bodies(&other, 0.0));
         let [free, same] = [&one, &other].map(|problem| {
             let rows = (0..2 * COUNT).filter(|row| touching[row / 2]);
             FreeMotions::of(problem, rows).map(|free| free.projector.trace().round())

@@ -21,9 +21,11 @@ pub struct ModelBody {
     pub ends: Vec<usize>,
     /// Coordinate that the two halves differ in, where one of them is modelled.
     pub across: Option<usize>,
+    /// Largest angle `[rad]` along its contact by which it was seated under load: its points are that far from those that they are paired with.
+    pub seated: f64,
     /// Where its stresses have no bound.
     pub singular: Vec<Singular>,
-    /// Nodes at which tractions along its edges end, each with the load case of the traction, if it is no spring.
+    /// Nodes at which tractions along its edges end, and others where the boundary goes on without a corner, each with the load case of the traction, if it is no spring.
     pub sheared: Vec<(usize, Option<usize>)>,
     /// Its re-entrant corners, towards which stress has no limit either.
     pub corners: Vec<ReentrantCorner>,

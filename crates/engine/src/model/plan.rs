@@ -77,6 +77,12 @@ impl Seat {
         }
     }
 
+    /// The largest angle `[rad]` by which places of the body that face those of the hole lie farther along.
+    pub(crate) fn largest_shift(&self) -> f64 {
+        let shifts = self.shifts.iter();
+        shifts.fold(0.0, |most: f64, shift| most.max(shift.abs()))
+    }
+
     /// The angle of the body that faces `angle` of the hole.
     pub(super) fn facing(&self, angle: f64) -> f64 {
         let (count, first) = (self.angles.len(), self.angles[0]);

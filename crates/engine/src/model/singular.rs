@@ -9,6 +9,8 @@ use super::edge::ModelEdge;
 use super::plan::Plan;
 use crate::results::EdgeResults;
 
+/// Tangent of the angle up to which two edges go on without a corner.
+const SMOOTH: f64 = 0.1;
 /// Part of a traction along an edge from which it is one.
 const ALONG: f64 = 1e-6;
 
@@ -206,7 +208,7 @@ pub(super) fn places(
     Ok(places)
 }
 
-/// The nodes of the body with the index `body` at which tractions along its edges end: of forces, with their load cases, and of springs. At a corner stress then depends on the side from which one
+/// The nodes of the body with the index `body` at which tractions along its edges end, and others where the boundary goes on without a corner: of forces and pressures, with their load cases, and of springs. At a corner stress then depends on the side from which one
 /// comes, and along a smooth edge it has no limit.
 pub(super) fn sheared(
     plan: &Plan<'_>,
@@ -218,6 +220,7 @@ pub(super) fn sheared(
     let loads = loads.filter(|(_, load)| load.body == body);
     let forces = loads.filter_map(|(case, load)| match &load.of.kind {
         LoadKind::Force { on, direction, .. } => Some((on, vec![*direction], Some(case))),
+        LoadKind::Pressure { on, .. } => Some((on, Vec::new(), Some(case))),
         _ => None,
     });
     let springs = plan.springs.iter().filter(|own| own.body == body);
@@ -233,12 +236,37 @@ pub(super) fn sheared(
             let edge = [to[0] - from[0], to[1] - from[1]];
             let along = |of: &[f64; 2]| (of[0] * edge[0] + of[1] * edge[1]).abs();
             let length = edge[0].hypot(edge[1]);
-            if directions.iter().any(|own| along(own) > ALONG * length) {
+            let is_along = directions.iter().any(|own| along(own) > ALONG * length);
+            if is_along || goes_on(mesh, &on.set, node, edge) {
                 nodes.push((node, case));
             }
         }
     }
     Ok(nodes)
+}
+
+/// Whether the boundary goes on at `node` beyond the edge set `name`, without a corner; `along` is a vector along the edge. A traction that ends there makes stresses jump.
+fn goes_on(mesh: &Mesh, name: &str, node: usize, along: [f64; 2]) -> bool {
+    let others = mesh.edge_set_names().filter(|other| *other != name);
+    let sets = others.filter_map(|other| mesh.edge_set(other).ok());
+    let mut edges = sets.flat_map(|set| &set.edges);
+    let at = |node: usize| mesh.nodes()[node];
+    edges.any(|&edge| {
+        let [one, other] = mesh.edge_nodes(edge).ends;
+        let far = match node {
+            _ if node == one => other,
+            _ if node == other => one,
+            _ => return false,
+        };
+        let [from, to] = [at(node), at(far)];
+        let own = [to[0] - from[0], to[1] - from[1]];
+        let [sin, cos] = [
+            own[0] * along[1] - own[1] * along[0],
+            own[0] * along[0] + own[1] * along[1],
+        ];
+        // Chords of a curve turn a little.
+        cos < 0.0 && sin.abs() < SMOOTH * cos.abs()
+    })
 }
 
 /// The nodes at the ends of an open edge, each with the next one. On the `axis` of half a model no edge ends.

@@ -5,6 +5,7 @@ use stickslip_contact::freedom;
 use stickslip_contact::interface::Part;
 use stickslip_fem_core::mesh::Point;
 
+use super::remarks::seated;
 use super::solved::Solved;
 use crate::model::{Mean, Measure, Model, ModelSet, parts};
 use crate::results::{Finding, SetStated, StepResults};
@@ -126,10 +127,10 @@ fn is_point(model: &Model, set: &ModelSet) -> bool {
 }
 
 /// The bodies that move as a whole without resistance, alone or together.
-fn free_bodies(solved: &Solved) -> Vec<usize> {
+fn free_bodies(model: &Model, solved: &Solved) -> Vec<usize> {
     let parts = solved.interface.parts().iter();
     let of_part = |part: &Part| {
-        let free = freedom::free_bodies(part.problem()).into_iter();
+        let free = freedom::free_bodies(part.problem(), seated(model, part)).into_iter();
         let bodies: Vec<usize> = free.map(|own| part.group().bodies[own.body]).collect();
         bodies
     };
@@ -146,7 +147,7 @@ pub fn numbers_with_errors(
     uneven: &[usize],
 ) -> Vec<[bool; 4]> {
     let points = Points::of(model, forces);
-    let free = free_bodies(solved);
+    let free = free_bodies(model, solved);
     let of_set = |own: &ModelSet| {
         let mut linked = points
             .parts

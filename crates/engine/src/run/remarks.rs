@@ -273,13 +273,20 @@ pub(super) fn of_reserve(model: &Model) -> Option<Finding> {
     concerned.then_some(Finding::ReserveWithInterference { contacts })
 }
 
+/// The largest angle by which a body of `part` is seated `[rad]`.
+pub(super) fn seated(model: &Model, part: &Part) -> f64 {
+    let bodies = part.group().bodies.iter();
+    bodies.fold(0.0, |most: f64, &body| most.max(model.bodies[body].seated))
+}
+
 /// Which bodies move as a whole without resistance, so that where they stand is not unique.
 pub(super) fn of_freedom(model: &Model, solved: &Solved) -> Vec<Finding> {
     let of_part = |part: &Part| {
         let (bodies, pairs) = (&part.group().bodies, &part.group().pairs);
         let body_name = |free: &freedom::FreeBody| model.bodies[bodies[free.body]].name.clone();
         let (slipping, together): (Vec<_>, Vec<_>) =
-            (free_bodies(part.problem()).into_iter()).partition(|free| !free.slipping.is_empty());
+            (free_bodies(part.problem(), seated(model, part)).into_iter())
+                .partition(|free| !free.slipping.is_empty());
         let slips = |free: &freedom::FreeBody| {
             let contacts = free.slipping.iter();
             Finding::FreeBody(FreeBody {
@@ -298,7 +305,7 @@ pub(super) fn of_freedom(model: &Model, solved: &Solved) -> Vec<Finding> {
             bodies: together.iter().map(body_name).collect(),
             motions: {
                 let own: Vec<usize> = together.iter().map(|free| bodies[free.body]).collect();
-                free_motions(&solved.operators, part, &own)
+                free_motions(&solved.operators, part, &own, seated(model, part))
             },
         });
         let findings: Vec<Finding> = slipping.iter().map(slips).chain(together).collect();

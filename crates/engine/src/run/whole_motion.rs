@@ -158,13 +158,14 @@ fn velocities(operators: &[Operator], part: &Part, motion: &[f64]) -> Vec<(usize
     bodies.filter_map(velocity).collect()
 }
 
-/// Which motions nothing resists of the bodies with the indices `bodies`, which move together.
+/// Which motions nothing resists of the bodies with the indices `bodies`, which move together and are seated by `apart` `[rad]`.
 pub(super) fn free_motions(
     operators: &[Operator],
     part: &Part,
     bodies: &[usize],
+    apart: f64,
 ) -> Vec<FreeMotion> {
-    let free = unresisted_motions(part.problem());
+    let free = unresisted_motions(part.problem(), apart);
     if free.is_empty() {
         return Vec::new();
     }
@@ -177,7 +178,8 @@ pub(super) fn free_motions(
     });
     let columns: Vec<DVector<f64>> = columns.collect();
     let motions = DMatrix::from_columns(&columns);
-    let independent = |motions: DMatrix<f64>| motions.rank(NEGLIGIBLE * free.amax());
+    let independent =
+        |motions: DMatrix<f64>| motions.rank(NEGLIGIBLE.max(2.0 * apart) * free.amax());
     let turning = motions.select_rows(&(2..motions.nrows()).step_by(3).collect::<Vec<_>>());
     let (all, turns) = (independent(motions), independent(turning));
     let rotation = (turns > 0).then_some(FreeMotion::Rotation);

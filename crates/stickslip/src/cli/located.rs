@@ -261,6 +261,13 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
             "support every part of the mesh that nothing joins to the others, or name the element set that is the body as `elements`; \
              `stickslip check --sketch` draws its parts",
         ),
+        RunError::Body {
+            body,
+            cause: BodyError::ContradictingSupports { .. },
+        } => (
+            format!("bodies.{body}"),
+            "several supports of the body, or a support and its platen, hold one node, a corner or a point, by displacements that cannot all be: move them alike, or let one end before the other by an edge of its own between them",
+        ),
         RunError::Body { body, .. } => (
             format!("bodies.{body}"),
             "check the body's supports: it must not be able to move as a whole without contact",

@@ -1,7 +1,7 @@
 //! Displacements of loaded sets, reactions of held ones and stiffness: closed forms, half beside whole, series beside elements.
 
 use stickslip::model::{Model, ModelError};
-use stickslip::results::{Finding, Results, SetKind, SetMotion, SetStated, Stated};
+use stickslip::results::{Finding, LadderEnd, Results, SetKind, SetMotion, SetStated, Stated};
 
 use super::series::PIN;
 use super::{scene, solved};
@@ -367,6 +367,18 @@ fn what_turns_freely_under_two_loads_has_no_error_of_displacement() {
     let is_free = |own: &Finding| matches!(own, Finding::FreeTogether { .. });
     assert!(both.findings.iter().any(is_free), "{:?}", both.findings);
     assert!(!has_error(&both, 0) && !has_error(&both, 1));
+    // Nodes of the pin that are seated where those of the hole face them hold nothing either.
+    let graded = [
+        section,
+        "analysis.accuracy={ displacement = \"1 %\" }",
+        "analysis.kinematics=deformed-gaps",
+        two,
+        "analysis.model=whole",
+    ];
+    let seated = solved(&free, &graded);
+    assert!(seated.findings.iter().any(is_free), "{:?}", seated.findings);
+    assert!(!has_error(&seated, 0) && !has_error(&seated, 1));
+    assert_eq!(seated.ladder.unwrap().end, LadderEnd::Unstated);
 }
 
 /// A frame with a hole, whose displacements and reactions are those of its corners; edges are `finer` times as fine.

@@ -303,6 +303,20 @@ fn a_budget_ends_the_climb_with_an_honest_error() {
     assert!(error.is_some_and(|(error, _)| error > 1e-8), "{ladder:?}");
 }
 
+/// Where everything slips one, two and four increments agree, so eight are taken whatever the budget is.
+#[test]
+fn a_budget_leaves_eight_increments() {
+    let text = PIN.replace("substeps = 1\n", "");
+    let found = solved(
+        &text,
+        &[r#"analysis.accuracy="1e-4 %""#, r#"analysis.budget="1 ms""#],
+    );
+    let ladder = found.ladder.unwrap();
+    assert_eq!(ladder.end, LadderEnd::Budget);
+    let last = ladder.rungs.iter().rfind(|rung| !rung.stopped).unwrap();
+    assert!(last.increments.iter().all(|&count| count >= 8), "{last:?}");
+}
+
 #[test]
 fn a_mesh_of_the_scene_is_kept_and_its_errors_are_stated() {
     let found = solved(

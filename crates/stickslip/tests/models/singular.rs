@@ -1,6 +1,6 @@
 //! Places where stress has no limit, or no value, and what hangs on single points.
 
-use stickslip::results::{Finding, Results, SetStated, Stated};
+use stickslip::results::{Finding, LadderEnd, Results, SetStated, Stated};
 
 use super::solved;
 
@@ -107,6 +107,63 @@ on = "block.top"
     let results = found(sheared, &pressed);
     let is_any = |own: &Finding| matches!(own, Finding::NoValueAtLoadEnd { .. });
     assert!(!is_said(&results, is_any), "{:?}", results.findings);
+}
+
+/// Stresses that are rounding beside others decide nothing: pure shear, and uniform tension against a roller.
+#[test]
+fn rounding_is_neither_missed_nor_singular() {
+    let roller = r#"
+[[supports]]
+on = "block.left"
+fix = ["x"]
+[[supports]]
+on = "block.a"
+fix = ["y"]
+[[loads]]
+on = "block.right"
+pressure.steps = ["-50 MPa"]
+[[edges]]
+on = "block.left"
+[[edges]]
+on = "block.right"
+"#;
+    let results = found(roller, &["analysis.accuracy=1 %"]);
+    let ladder = results.ladder.as_ref().unwrap();
+    assert!(
+        [LadderEnd::Reached, LadderEnd::Unstated].contains(&ladder.end),
+        "{ladder:?}"
+    );
+    assert!(results.findings.is_empty(), "{:?}", results.findings);
+}
+
+/// A pressure on a part of a side jumps there, and so does the stress along it.
+#[test]
+fn where_a_pressure_ends_within_an_edge_stress_has_no_error() {
+    let split = BLOCK.replace(
+        r#"{ name = "top", to = ["0 mm", "10 mm"] }"#,
+        r#"{ name = "rest", to = ["15 mm", "10 mm"] }, { name = "top", to = ["0 mm", "10 mm"] }"#,
+    );
+    assert_ne!(split, BLOCK);
+    let pressed = r#"
+[[supports]]
+on = "block.right"
+fix = ["x", "y"]
+[[loads]]
+on = "block.top"
+pressure.steps = ["1 MPa"]
+[[edges]]
+on = "block.top"
+[[edges]]
+on = "block.left"
+"#;
+    let results = solved(&(split + pressed), &["analysis.accuracy=1 %"]);
+    let place = results.steps[0].edges[0].peak_hoop.unwrap().1;
+    assert!((place - 15.0).abs() < 1.0, "{place}");
+    assert_eq!(peak(&results, 0).1, None);
+    let is_one = |own: &Finding| matches!(own, Finding::NoValueAtLoadEnd { edge, .. } if edge == "block.top");
+    assert!(is_said(&results, is_one), "{:?}", results.findings);
+    let is_other = |own: &Finding| matches!(own, Finding::NoValueAtLoadEnd { edge, .. } if edge == "block.left");
+    assert!(!is_said(&results, is_other), "{:?}", results.findings);
 }
 
 /// Beside a hole near the edge stress is the largest of coarse cells; of fine ones it is at the end of the clamp.

@@ -250,7 +250,8 @@ figures = false
     assert!(bending > 1.2 * 70e3 * 8.0 / 4.0 / 1e6, "{bending}");
 }
 
-/// Every name bounds its own number.#[test]
+/// Every name bounds its own number.
+#[test]
 fn each_name_bounds_its_number() {
     for (name, stated) in [
         ("peak_pressure", Bounded::Edge(Stated::PeakPressure)),

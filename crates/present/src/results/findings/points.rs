@@ -54,8 +54,8 @@ pub(super) fn support_end(edge: &str, steps: &str) -> String {
 /// The stress along `edge` where a traction along an edge ends.
 pub(super) fn load_end(edge: &str, steps: &str) -> String {
     format!(
-        "No error is stated for tangential stresses along {edge} in {steps}: where a force, or springs, along an edge end, stress depends on the side from which one comes to \
-         the corner, or has no limit, and the value is that of this division. Let the load end elsewhere, or act across the edge."
+        "No error is stated for tangential stresses along {edge} in {steps}: where a force or springs along an edge end, or where a pressure ends within an edge, stress depends on the \
+         side from which one comes, or has no limit; the value is that of this division. Let the load end elsewhere, or act across the edge up to its corner."
     )
 }
 
