@@ -81,6 +81,23 @@ impl Circle {
     }
 }
 
+/// Checks numbers of a load: name, value, whether it breaks the symmetry of a half model.
+pub(crate) fn check_load(
+    case: usize,
+    mirrored: bool,
+    values: &[(&'static str, f64, bool)],
+) -> Result<(), SeriesError> {
+    for &(what, value, skew) in values {
+        if !value.is_finite() {
+            return Err(SeriesError::LoadNotFinite { case, what, value });
+        }
+        if mirrored && skew && value != 0.0 {
+            return Err(SeriesError::NotSymmetric { case, what, value });
+        }
+    }
+    Ok(())
+}
+
 pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, SeriesError> {
     if value > 0.0 && value.is_finite() {
         Ok(value)

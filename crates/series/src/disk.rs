@@ -26,11 +26,10 @@ use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Unit, channels, hat_means, sides};
-use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
+use crate::circle::{Circle, Kolosov, Side, Surface, check_load, compliance};
 use crate::error::SeriesError;
 use crate::expansion::Expansions;
 use crate::field::{Body, Edge, EdgeOf, Field, Ingredients, Inside, PolarStress, check, forces};
-use crate::hole::check_load;
 use crate::nodes::Nodes;
 
 /// Largest s: beyond it the work of a force could become negative.

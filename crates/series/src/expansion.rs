@@ -7,8 +7,8 @@
 use nalgebra::DVector;
 use stickslip_fem_core::mesh::Point;
 
+use crate::circle::check_load;
 use crate::error::SeriesError;
-use crate::hole::check_load;
 
 /// Strains (ε_xx, ε_yy, γ_xy) `[1]` of a unit of each load case.
 #[derive(Clone, Debug, Default)]

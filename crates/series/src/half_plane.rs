@@ -21,10 +21,10 @@ use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
+use crate::circle::check_load;
 use crate::circle::{Kolosov, Side, Surface, Symmetry, positive};
 use crate::error::SeriesError;
 use crate::field::check;
-use crate::hole::check_load;
 use crate::line::LineNodes;
 pub use potential::HalfPlaneField;
 use potential::{Constants, edge_kernel};

@@ -7,7 +7,7 @@ use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Channel, Unit, channels, hat_means};
-use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
+use crate::circle::{Circle, Kolosov, Side, Surface, check_load, compliance};
 use crate::error::SeriesError;
 use crate::field::{
     Body, Edge, EdgeOf, Field, Ingredients, Outside, PolarStress, check, forces, motions,
@@ -49,23 +49,6 @@ impl FarLoad {
         ];
         check_load(case, mirrored, &values)
     }
-}
-
-/// Checks numbers of a load: name, value, whether it breaks the symmetry of a half model.
-pub(crate) fn check_load(
-    case: usize,
-    mirrored: bool,
-    values: &[(&'static str, f64, bool)],
-) -> Result<(), SeriesError> {
-    for &(what, value, skew) in values {
-        if !value.is_finite() {
-            return Err(SeriesError::LoadNotFinite { case, what, value });
-        }
-        if mirrored && skew && value != 0.0 {
-            return Err(SeriesError::NotSymmetric { case, what, value });
-        }
-    }
-    Ok(())
 }
 
 /// A circular hole in an infinite isotropic plate, in closed form.

@@ -3,9 +3,8 @@
 use nalgebra::Complex;
 use stickslip_fem_core::mesh::Point;
 
-use crate::circle::Circle;
+use crate::circle::{Circle, check_load};
 use crate::error::SeriesError;
-use crate::hole::check_load;
 use crate::nodes::Nodes;
 use crate::outline::{Outline, Surrounding};
 
