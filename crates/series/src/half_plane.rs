@@ -21,8 +21,7 @@ use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
-use crate::circle::check_load;
-use crate::circle::{Kolosov, Side, Surface, Symmetry, positive};
+use crate::circle::{Kolosov, Side, Surface, Symmetry, check_load, positive};
 use crate::error::SeriesError;
 use crate::field::check;
 use crate::line::LineNodes;
