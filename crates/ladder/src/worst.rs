@@ -62,15 +62,7 @@ pub(super) fn worst_of_edges(
     accuracy: Accuracy,
     step: usize,
 ) -> Option<Worst> {
-    let touches = level.geometries.iter().any(|geometry| geometry.contact);
-    let edges = level.geometries.iter().enumerate();
-    let edges = edges.filter(|(_, geometry)| geometry.contact || !touches);
-    let numbers = edges.flat_map(|(edge, _)| Stated::ALL.map(|stated| (edge, stated)));
-    let rubs = |(edge, stated): &(usize, Stated)| {
-        level.geometries[*edge].contact || *stated != Stated::FrictionForce
-    };
-    let numbers = numbers.filter(rubs);
-    let stress = largest_stress(level);
+    let stress = largest_stress(&level.steps[step]);
     let part = |(edge, stated): (usize, Stated)| {
         let number = Bounded::from(stated);
         let bound = number.bound(accuracy)?;
@@ -96,12 +88,21 @@ pub(super) fn worst_of_edges(
         };
         Worst::of(number, error, scale, bound)
     };
-    numbers.filter_map(part).max_by(Worst::is_larger)
+    of_edges(level).filter_map(part).max_by(Worst::is_larger)
 }
 
-/// The largest stress along any edge in the history `[MPa]`.
-fn largest_stress(level: &Numbers) -> f64 {
-    let rows = level.steps.iter().flatten().flat_map(|edge| &edge.rows);
+/// The numbers of edges that count: of contacts, or where there are none of all edges, along which nothing rubs.
+fn of_edges(level: &Numbers) -> impl Iterator<Item = (usize, Stated)> {
+    let touches = level.geometries.iter().any(|geometry| geometry.contact);
+    let edges = level.geometries.iter().enumerate();
+    let edges = edges.filter(move |(_, geometry)| geometry.contact || !touches);
+    let numbers = edges.flat_map(|(edge, _)| Stated::ALL.map(|stated| (edge, stated)));
+    numbers.filter(move |(_, stated)| touches || *stated != Stated::FrictionForce)
+}
+
+/// The largest stress along any of `edges` `[MPa]`.
+fn largest_stress(edges: &[EdgeResults]) -> f64 {
+    let rows = edges.iter().flat_map(|edge| &edge.rows);
     rows.map(EdgeRow::largest_stress).fold(0.0, f64::max)
 }
 
@@ -151,26 +152,20 @@ fn worst_of_sets(
 
 /// What `accuracy` bounds and has no error anywhere in `errors`: every number with a name, of others all together.
 pub(super) fn unstated(level: &Numbers, errors: &Estimates, accuracy: Accuracy) -> Vec<Bounded> {
-    let touches = level.geometries.iter().any(|geometry| geometry.contact);
-    let edges = level.geometries.iter().enumerate();
-    let edges = edges.filter(|(_, geometry)| geometry.contact || !touches);
-    let edges: Vec<usize> = edges.map(|(edge, _)| edge).collect();
-    let steps = 0..level.steps.len();
-    let any_edge = |is_so: &dyn Fn(usize, usize) -> bool| {
-        let mut all = steps
-            .clone()
-            .flat_map(|step| edges.iter().map(move |&edge| (step, edge)));
-        all.any(|(step, edge)| is_so(step, edge))
+    let any = |number: Bounded, is_so: &dyn Fn(usize, usize, Stated) -> bool| {
+        let own = of_edges(level).filter(|(_, stated)| number == Bounded::from(*stated));
+        let mut own = own.flat_map(|own| (0..level.steps.len()).map(move |step| (step, own)));
+        own.any(|(step, (edge, stated))| is_so(step, edge, stated))
     };
     let has_error = |number: Bounded| match number {
-        Bounded::Edge(stated) => any_edge(&|step, edge| {
+        Bounded::Edge(_) => any(number, &|step, edge, stated| {
             let own = errors.numbers.get(step).and_then(|step| step.get(edge));
             own.is_some_and(|own| own.get(stated).is_some())
         }),
         Bounded::Set(stated) => errors.sets.have(stated),
     };
     let is_there = |number: Bounded| match number {
-        Bounded::Edge(stated) => any_edge(&|step, edge| {
+        Bounded::Edge(_) => any(number, &|step, edge, stated| {
             let value = stated.value(&level.steps[step][edge]);
             value.is_some_and(|value| value != 0.0)
         }),

@@ -82,6 +82,12 @@ on = "block.top"
         let is_one = |own: &Finding| matches!(own, Finding::NoValueAtLoadEnd { edge: own, .. } if own == edge);
         assert!(is_said(&results, is_one), "{:?}", results.findings);
     }
+    // With nothing else to be accurate about nothing is reached.
+    let one = ["analysis.accuracy=1 %", r#"edges=[{ on = "block.left" }]"#];
+    let alone = found(sheared, &one);
+    assert_eq!(alone.ladder.as_ref().unwrap().end, LadderEnd::Unstated);
+    let is_peak = |own: &Finding| matches!(own, Finding::AccuracyUnstated { numbers } if numbers[..] == ["peak tangential stress"]);
+    assert!(is_said(&alone, is_peak), "{:?}", alone.findings);
     // In a step without the load nothing is singular.
     let unloaded = r#"loads.1={ on = "block.left", pressure.steps = ["2 MPa", "1 MPa"] }"#;
     let steps = [
