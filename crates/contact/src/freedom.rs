@@ -41,7 +41,7 @@ pub fn free_bodies(problem: &InterfaceProblem, apart: f64) -> Vec<FreeBody> {
     let relative = problem.modes() * &motions;
     let moves = |body: usize| {
         let modes = problem.body_modes(problem.carrier(body));
-        motions.rows_range(modes).amax() > NEGLIGIBLE
+        motions.rows_range(modes).amax() > still
     };
     let free = |body: usize| {
         let pairs = problem.pairs().iter().enumerate();

@@ -33,7 +33,7 @@ pub use error::{ProgressiveRunError, RunError};
 pub use follow::{Progress, follow};
 pub use points::numbers_with_errors;
 pub use solved::{Operator, OwnNodes, Solved};
-pub use stresses::is_unlimited;
+pub use stresses::{is_beside, is_unlimited};
 pub use thinned::follow_thinned;
 pub use whole_motion::{MovingBody, WholeMotion};
 

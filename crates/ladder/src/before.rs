@@ -6,6 +6,10 @@ use stickslip_engine::run::results_without_audit;
 use stickslip_scene::schema::FieldOutput;
 
 use super::level::Level;
+use stickslip_engine::model::ModelBody;
+
+/// Displacements of all steps together, beyond which largest stresses of coarser models are not asked for: 0.8 GB.
+const MOST: usize = 100_000_000;
 
 /// What is asked of coarser models.
 #[derive(Clone, Copy)]
@@ -30,6 +34,10 @@ pub(super) fn before(
     last.map_while(results).collect()
 }
 
+fn unknowns(body: &ModelBody) -> usize {
+    body.elastic().map_or(0, |own| 2 * own.mesh().nodes().len())
+}
+
 fn of_level(mut level: Level, solver: &dyn InterfaceSolver, asked: Asked) -> Option<Results> {
     let request = &mut level.model.request;
     if !asked.stresses {
@@ -47,9 +55,15 @@ fn of_level(mut level: Level, solver: &dyn InterfaceSolver, asked: Asked) -> Opt
         bodies.extend(failure.bodies.iter().map(|body| body.body));
     }
     let all = level.model.bodies.iter().enumerate();
-    let elastic = all.filter(|(_, body)| asked.stresses && body.elastic().is_some());
+    let values: usize = all.clone().map(|(_, body)| unknowns(body)).sum();
+    let is_small = values * level.solved.records.len() <= MOST;
+    let elastic = all.filter(|(_, body)| asked.stresses && is_small && body.elastic().is_some());
     bodies.extend(elastic.map(|(index, _)| index));
     bodies.sort_unstable();
     bodies.dedup();
-    results_without_audit(&level.model, solver, level.solved, &bodies).ok()
+    let mut found = results_without_audit(&level.model, solver, level.solved, &bodies).ok()?;
+    for step in &mut found.steps {
+        step.fields.clear();
+    }
+    Some(found)
 }

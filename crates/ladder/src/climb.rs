@@ -13,15 +13,14 @@ use crate::models::{Division, Models};
 use crate::motions::Motions;
 use crate::numbers::{Estimates, Numbers, Table, above_rounding, drop_unresolved, sum};
 use crate::path::{self, Changes, Halved, Left};
+use crate::stresses::Limits;
 use crate::worst::{Worst, bounds_sets, unstated, worst, worst_of_edges, worst_of_step};
 use crate::{division, failure, places, stated, stresses, unseen};
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_engine::results::{
     Bounded, Errors, Finding, Ladder, LadderEnd, Results, Rung, Stated,
 };
-use stickslip_engine::run::{
-    Progress, RunError, is_unlimited, numbers_with_errors, results, run_with,
-};
+use stickslip_engine::run::{Progress, RunError, numbers_with_errors, results, run_with};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -527,10 +526,12 @@ impl Climb<'_> {
             let is_whole = !last.model.half && obstacle_to_half(self.scene).is_none();
             let mirror = |body| is_whole.then(|| last.model.across(body)).flatten();
             failure::estimate_all(&mut found.failure, &before, &parts, mirror);
-            let origin = last.model.origin;
-            stresses::estimate_all(&mut found, &before, &parts, |body, [x, y]| {
-                !is_unlimited(&last.model, body, [x - origin[0], y - origin[1]])
-            });
+            let limits = Limits {
+                model: &last.model,
+                numbers: &last.numbers,
+                uneven: &uneven,
+            };
+            stresses::estimate_all(&mut found, &before, &parts, &limits);
         }
         stated::put(
             &mut found,
@@ -551,7 +552,9 @@ impl Climb<'_> {
 
     /// The numbers whose accuracy is asked for and that have no error.
     fn unstated(&self, numbers: &Numbers, errors: &Estimates, end: LadderEnd) -> Option<Finding> {
-        let is_said = self.asked.is_some() && end != LadderEnd::Unchecked;
+        // Of one model alone no number has an error.
+        let is_said =
+            self.asked.is_some() && end != LadderEnd::Unchecked && !errors.numbers.is_empty();
         let found = unstated(numbers, errors, self.bounds());
         let numbers: Vec<_> = found.into_iter().map(Bounded::describe).collect();
         (is_said && !numbers.is_empty()).then_some(Finding::AccuracyUnstated { numbers })

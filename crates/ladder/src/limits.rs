@@ -141,8 +141,7 @@ fn of_free_edge(
     let body = &model.bodies[own.geometry.body];
     let ends: Vec<usize> = body.singular.iter().map(|place| place.node()).collect();
     let acts = |case: usize| record.state.multipliers.get(case) != Some(&0.0);
-    let sheared = body.sheared.iter().filter(|own| own.1.is_none_or(acts));
-    let sheared: Vec<usize> = sheared.map(|own| own.0).collect();
+    let sheared: Vec<usize> = body.traction_ends(acts).collect();
     let at = |place: f64| {
         if own.has_beside(&ends, place) {
             Some(Cause::Support)

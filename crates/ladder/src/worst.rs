@@ -7,6 +7,7 @@ use super::numbers::{Estimates, Numbers, Table, balanced_friction};
 
 /// Numbers below this part of the largest of their history are measured by it.
 const SMALL: f64 = 1e-3;
+
 /// A relative error beside its bound.
 #[derive(Clone, Copy)]
 pub(super) struct Worst {

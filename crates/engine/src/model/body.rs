@@ -36,6 +36,13 @@ pub struct ModelBody {
 }
 
 impl ModelBody {
+    /// The nodes at which tractions of load cases that `acts`, and of springs, end.
+    pub fn traction_ends(&self, acts: impl Fn(usize) -> bool) -> impl Iterator<Item = usize> {
+        let own = self.sheared.iter();
+        own.filter(move |own| own.1.is_none_or(&acts))
+            .map(|own| own.0)
+    }
+
     /// The body, its mesh, loads and materials; `None` for a rigid one.
     pub fn elastic(&self) -> Option<&Arc<ElasticBody>> {
         match &self.kind {

@@ -10,7 +10,7 @@ use super::plan::Plan;
 use crate::results::EdgeResults;
 
 /// Tangent of the angle up to which two edges go on without a corner.
-const SMOOTH: f64 = 0.1;
+const SMOOTH: f64 = 0.3;
 /// Part of a traction along an edge from which it is one.
 const ALONG: f64 = 1e-6;
 
@@ -253,11 +253,10 @@ fn goes_on(mesh: &Mesh, name: &str, node: usize, along: [f64; 2]) -> bool {
     let at = |node: usize| mesh.nodes()[node];
     edges.any(|&edge| {
         let [one, other] = mesh.edge_nodes(edge).ends;
-        let far = match node {
-            _ if node == one => other,
-            _ if node == other => one,
-            _ => return false,
-        };
+        let far = if node == one { other } else { one };
+        if ![one, other].contains(&node) {
+            return false;
+        }
         let [from, to] = [at(node), at(far)];
         let own = [to[0] - from[0], to[1] - from[1]];
         let [sin, cos] = [

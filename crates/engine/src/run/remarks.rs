@@ -17,6 +17,8 @@ use crate::series::is_isotropic;
 
 /// Angle `[rad]` by which the bearing point of a round contact may move in a history before it is reported.
 const WANDERS: f64 = 5.0 * std::f64::consts::PI / 180.0;
+/// Largest angle `[rad]` by which seated nodes count as apart.
+const SEATED: f64 = 0.1;
 /// The same on a line, as a part of the widest half of the contact.
 const WANDERS_PART: f64 = 0.1;
 
@@ -273,10 +275,12 @@ pub(super) fn of_reserve(model: &Model) -> Option<Finding> {
     concerned.then_some(Finding::ReserveWithInterference { contacts })
 }
 
-/// The largest angle by which a body of `part` is seated `[rad]`.
+/// The largest angle by which a body of `part` is seated `[rad]`, of one far smaller than its hole no more than contact may miss.
 pub(super) fn seated(model: &Model, part: &Part) -> f64 {
     let bodies = part.group().bodies.iter();
-    bodies.fold(0.0, |most: f64, &body| most.max(model.bodies[body].seated))
+    bodies.fold(0.0, |most: f64, &body| {
+        most.max(model.bodies[body].seated.min(SEATED))
+    })
 }
 
 /// Which bodies move as a whole without resistance, so that where they stand is not unique.

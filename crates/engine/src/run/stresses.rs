@@ -215,19 +215,32 @@ fn left_out(model: &Model, index: usize, mesh: &Mesh) -> Vec<(Point, f64)> {
     places.map(place).collect()
 }
 
-/// Whether stress at the place `at` of the body with the index `index` has no limit, or none that finer cells approach: beside a re-entrant corner and where a traction along an
-/// edge ends.
-pub fn is_unlimited(model: &Model, index: usize, at: Point) -> bool {
+/// Whether stress at the place `at` of the body with the index `index` has no limit, or none that finer cells approach: beside a re-entrant corner, and where a traction of a load case
+/// that `acts`, or of springs, ends along an edge.
+pub fn is_unlimited(model: &Model, index: usize, at: Point, acts: impl Fn(usize) -> bool) -> bool {
     let body = &model.bodies[index];
-    let Some(elastic) = body.elastic() else {
+    let corners = body.corners.iter().map(|corner| corner.node);
+    let nodes: Vec<usize> = corners.chain(body.traction_ends(acts)).collect();
+    is_near(model, index, at, (index, &nodes))
+}
+
+/// Whether the place `at` of the body with the index `index` is beside the edge with the index `edge`, its own or one that it touches.
+pub fn is_beside(model: &Model, index: usize, at: Point, edge: usize) -> bool {
+    let edge = &model.edges[edge];
+    is_near(model, index, at, (edge.geometry.body, &edge.nodes))
+}
+
+/// Whether one of `nodes` of a body is within a twentieth of the smaller side of the body with the index `index` from `at`.
+fn is_near(model: &Model, index: usize, at: Point, (of, nodes): (usize, &[usize])) -> bool {
+    let [Some(own), Some(other)] = [index, of].map(|body| model.bodies[body].elastic()) else {
         return false;
     };
-    let mesh = elastic.mesh();
-    let corners = body.corners.iter().map(|corner| corner.node);
-    let mut nodes = corners.chain(body.sheared.iter().map(|own| own.0));
-    let reach = FROM_END * smaller_side(model, index, mesh);
-    nodes.any(|node| {
-        let [x, y] = mesh.nodes()[node];
+    if nodes.is_empty() {
+        return false;
+    }
+    let reach = FROM_END * smaller_side(model, index, own.mesh());
+    nodes.iter().any(|&node| {
+        let [x, y] = other.mesh().nodes()[node];
         (at[0] - x).hypot(at[1] - y) <= reach
     })
 }

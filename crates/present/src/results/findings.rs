@@ -170,7 +170,7 @@ fn geometry_unchecked(why: &str) -> String {
 fn accuracy_unstated(numbers: &[&str]) -> String {
     format!(
         "The accuracy asked for is not known to be reached: no error can be stated of {}. Other notes say why, or the scene has no such number; \
-         remove it from analysis.accuracy, or compare with a finer mesh.",
+         bound other numbers (analysis.accuracy = {{ peak_pressure = … }}), or compare with a finer mesh.",
         listed(numbers.iter().map(|own| format!("the {own}")).collect())
     )
 }

@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-12;
 /// What the table says of its places.
 pub(super) const NOTE: &str = "At the nodes of the elastic bodies, each in the step with its largest von Mises stress: of bodies with a yield stress among all steps, of \
                     others among those with fields. Around held points, within two fifths of the body's smaller side, and ends of supported edges, within a twentieth, \
-                    stresses have no bound and are left out; at re-entrant corners they have none either, are those of the mesh, and have no error.";
+                    stresses have no bound and are left out; at re-entrant corners, and where a load ends within or along an edge, they have none either, are those of the mesh, and have no error.";
 
 /// The largest stresses of every body, in the step with its largest von Mises stress; `None` where no step has stresses.
 pub(super) fn table(results: &Results) -> Option<Table> {

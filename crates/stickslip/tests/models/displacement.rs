@@ -340,12 +340,18 @@ fn sets_of_elements_beside_a_series_have_no_errors() {
         "bodies.plate.model=elements",
         "analysis.kinematics=small",
         "analysis.accuracy={ contact_extent = \"10 %\" }",
-        "output={ fields = \"none\", figures = false }",
+        "output={ fields = \"last\", figures = false }",
     ];
     let found = solved(scene, &asked);
     let errors = (0..found.sets.len()).map(|set| found.set_errors(set, 1));
     let mut errors = errors.flat_map(|own| SetStated::ALL.map(|stated| own.get(stated)));
     assert!(errors.all(|error| error.is_none()));
+    // Nor have the largest stresses of the plate, those of the pin have.
+    let stresses = found.steps.last().unwrap().stresses.iter();
+    for own in stresses {
+        let is_pin = found.bodies[own.body].name == "pin";
+        assert_eq!(own.von_mises.error.is_some(), is_pin, "{own:?}");
+    }
     let is_said = |own: &Finding| matches!(own, Finding::SetsWithoutErrors { bodies } if bodies[..] == ["plate"]);
     assert!(found.findings.iter().any(is_said), "{:?}", found.findings);
 }

@@ -103,6 +103,22 @@ fn corners_that_press_have_no_limit() {
     assert_eq!(ends(&solved(&same, &[])), (0, false));
 }
 
+/// Nor has the largest stress of the bodies there, which grows with every division.
+#[test]
+fn stresses_of_bodies_at_pressed_corners_have_no_error() {
+    let fields = ["output.fields=last", "analysis.accuracy=20 %"];
+    let errors = |text: &str| {
+        let results = solved(text, &fields);
+        let step = results.steps.last().unwrap();
+        assert_eq!(step.stresses.len(), 2);
+        let own = step.stresses.iter();
+        own.map(|own| own.least_principal.error.is_some())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(errors(&square()), [false, false]);
+    assert_eq!(errors(PUNCH), [true, true]);
+}
+
 /// Half a block on a wide rigid floor: its corner has a bounded pressure on a smooth floor, and is none of the whole body where it lies on the line of symmetry.
 #[test]
 fn corners_whose_pressure_is_bounded_are_none() {
