@@ -586,7 +586,7 @@ on = "plate.bottom"
 "#;
     let found = solved(plate, &[""; 0]);
     let ladder = found.ladder.as_ref().unwrap();
-    assert_eq!(ladder.end, LadderEnd::Reached);
+    assert_eq!(ladder.end, LadderEnd::Unstated);
     let said = |finding: &Finding| matches!(finding, Finding::NoLimitAtSupport { edge, .. } if edge == "plate.bottom");
     assert!(found.findings.iter().any(said), "{:?}", found.findings);
     assert!(
