@@ -530,6 +530,7 @@ impl Climb<'_> {
                 model: &last.model,
                 numbers: &last.numbers,
                 uneven: &uneven,
+                is_graded: self.models.is_graded(),
             };
             stresses::estimate_all(&mut found, &before, &parts, &limits);
         }

@@ -1,4 +1,4 @@
-//! Errors of the largest stresses of bodies: as those of loads of failure, k max(|v₂ − v₁|, r |v₁ − v₀|) with k = 4, the part by which the load path and the geometry leave the stresses
+//! Errors of the largest stresses of bodies: as those of loads of failure, k max(|v₂ − v₁|, r |v₁ − v₀|) with k = 4 and with graded nodes 6, the part by which the load path and the geometry leave the stresses
 //! of the step, and what nodes have more in cells across the circles that are left out around places without a bound.
 
 use super::failure::{left, part};
@@ -7,8 +7,10 @@ use stickslip_engine::model::Model;
 use stickslip_engine::results::{BodyStresses, LoadValue, Results, Stated, StressPeak};
 use stickslip_engine::run::{is_beside, is_unlimited};
 
-/// Largest stresses inside of elements are off by so many times what loads of failure are.
-const WIDER: f64 = 4.0 / 3.0;
+/// Largest stresses of elements are off by so many times what loads of failure are.
+const OF_ELEMENTS: f64 = 4.0 / 3.0;
+/// The same where nodes are graded: few of them lie where a stress is largest.
+const GRADED: f64 = 2.0;
 /// Part of the largest stress of the history that rounding may leave.
 const ROUNDING: f64 = 1e-12;
 
@@ -18,6 +20,8 @@ pub(super) struct Limits<'a> {
     pub(super) numbers: &'a Numbers,
     /// Bodies of which finer models have some cells alone that are smaller.
     pub(super) uneven: &'a [usize],
+    /// Whether nodes are graded.
+    pub(super) is_graded: bool,
 }
 
 impl Limits<'_> {
@@ -55,6 +59,11 @@ pub(super) fn estimate_all(
     parts: &[f64],
     limits: &Limits<'_>,
 ) {
+    let wider = if limits.is_graded {
+        GRADED
+    } else {
+        OF_ELEMENTS
+    };
     let all = found.steps.iter().flat_map(|step| &step.stresses);
     let largest = all.fold(0.0, |most: f64, own| most.max(own.von_mises.stress));
     for (step, record) in found.steps.iter_mut().enumerate() {
@@ -68,7 +77,7 @@ pub(super) fn estimate_all(
             let error = |peak: &StressPeak, of: fn(&BodyStresses) -> StressPeak| {
                 let before: Vec<f64> = before.iter().map(|other| of(other).stress).collect();
                 let path = part(parts, step) * peak.stress.abs();
-                let error = WIDER * left(peak.stress, &before)? + path + peak.beyond;
+                let error = wider * left(peak.stress, &before)? + path + peak.beyond;
                 let error = error.max(ROUNDING * largest);
                 let has_limit = limits.has_limit((step, &record.loads), own.body, peak.at);
                 (error.is_finite() && has_limit).then_some(error)
