@@ -41,7 +41,7 @@ pub fn free_bodies(problem: &InterfaceProblem, apart: f64) -> Vec<FreeBody> {
     let relative = problem.modes() * &motions;
     let moves = |body: usize| {
         let modes = problem.body_modes(problem.carrier(body));
-        motions.rows_range(modes).amax() > still
+        motions.rows_range(modes).amax() > NEGLIGIBLE.max(apart)
     };
     let free = |body: usize| {
         let pairs = problem.pairs().iter().enumerate();
@@ -165,6 +165,7 @@ pub(crate) fn pressed<'a>(
 }
 
 /// Columns α of length 1 that nothing resists, m × f, in the units of [`InterfaceProblem::modes`].
+///
 /// `apart` is the largest angle `[rad]` by which points of round pairs stand along their edge beside those that they are paired with, 0 where
 /// they face each other: bodies that turn together then change gaps by as much of their motion, which resists nothing.
 pub fn unresisted_motions(problem: &InterfaceProblem, apart: f64) -> DMatrix<f64> {

@@ -1,12 +1,12 @@
 //! What coarser models say of the failure of plies and of the largest stresses of bodies.
 
 use stickslip_contact::InterfaceSolver;
+use stickslip_engine::model::ModelBody;
 use stickslip_engine::results::Results;
 use stickslip_engine::run::results_without_audit;
 use stickslip_scene::schema::FieldOutput;
 
 use super::level::Level;
-use stickslip_engine::model::ModelBody;
 
 /// Displacements of all steps together, beyond which largest stresses of coarser models are not asked for: 0.8 GB.
 const MOST: usize = 100_000_000;
@@ -61,6 +61,9 @@ fn of_level(mut level: Level, solver: &dyn InterfaceSolver, asked: Asked) -> Opt
     bodies.extend(elastic.map(|(index, _)| index));
     bodies.sort_unstable();
     bodies.dedup();
+    if bodies.is_empty() {
+        return None;
+    }
     let mut found = results_without_audit(&level.model, solver, level.solved, &bodies).ok()?;
     for step in &mut found.steps {
         step.fields.clear();

@@ -14,7 +14,7 @@ use crate::motions::Motions;
 use crate::numbers::{Estimates, Numbers, Table, above_rounding, drop_unresolved, sum};
 use crate::path::{self, Changes, Halved, Left};
 use crate::stresses::Limits;
-use crate::worst::{Worst, bounds_sets, unstated, worst, worst_of_edges, worst_of_step};
+use crate::worst::{Worst, bounds_sets, unstated, worst, worst_of_edges, worst_of_sets};
 use crate::{division, failure, places, stated, stresses, unseen};
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_engine::results::{
@@ -323,17 +323,13 @@ impl Climb<'_> {
         };
         let substeps = &level.substeps;
         let mut halved = vec![false; substeps.len()];
-        let of_sets = Estimates {
-            numbers: Table::new(),
-            sets: if bounds_sets(&level.numbers, self.bounds()) {
-                found.left.sets.only(&self.sets_with_errors(level))
-            } else {
-                Motions::default()
-            },
+        let sets = if bounds_sets(&level.numbers, self.bounds()) {
+            found.left.sets.only(&self.sets_with_errors(level))
+        } else {
+            Motions::default()
         };
         for step in 0..substeps.len() {
-            let worst = worst_of_step(&level.numbers, &of_sets, self.bounds(), step);
-            if is_too_much(worst) {
+            if is_too_much(worst_of_sets(&level.numbers, &sets, self.bounds(), step)) {
                 // Of sets it is not known which of the steps before leaves it.
                 halved[..=step].fill(true);
             }

@@ -3,6 +3,7 @@
 use stickslip_engine::results::{Bounded, EdgeResults, EdgeRow, SetStated, Stated};
 use stickslip_scene::schema::Accuracy;
 
+use super::motions::Motions;
 use super::numbers::{Estimates, Numbers, Table, balanced_friction};
 
 /// Numbers below this part of the largest of their history are measured by it.
@@ -31,31 +32,23 @@ impl Worst {
         (self.error, self.number)
     }
 
-    fn is_larger(&self, other: &Self) -> std::cmp::Ordering {
+    fn compared(&self, other: &Self) -> std::cmp::Ordering {
         self.part.total_cmp(&other.part)
     }
 }
 
 /// The relative error that is largest beside its bound of `accuracy`: of sets, and of contacts, or where there are none of all edges.
 pub(super) fn worst(level: &Numbers, errors: &Estimates, accuracy: Accuracy) -> Option<Worst> {
-    let steps = 0..level.steps.len();
-    let all = steps.filter_map(|step| worst_of_step(level, errors, accuracy, step));
-    all.max_by(Worst::is_larger)
+    let of_step = |step: usize| {
+        let edges = worst_of_edges(level, &errors.numbers, accuracy, step);
+        let sets = worst_of_sets(level, &errors.sets, accuracy, step);
+        edges.into_iter().chain(sets)
+    };
+    let all = (0..level.steps.len()).flat_map(of_step);
+    all.max_by(Worst::compared)
 }
 
-/// The same of the load step `step`.
-pub(super) fn worst_of_step(
-    level: &Numbers,
-    errors: &Estimates,
-    accuracy: Accuracy,
-    step: usize,
-) -> Option<Worst> {
-    let edges = worst_of_edges(level, &errors.numbers, accuracy, step);
-    let sets = worst_of_sets(level, errors, accuracy, step);
-    edges.into_iter().chain(sets).max_by(Worst::is_larger)
-}
-
-/// The same of its edges. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, and by no less than a small part of all
+/// The same of the edges in the load step `step`. Stresses are measured by the larger of themselves and of the peak pressure, beside which σ_t may vanish, and by no less than a small part of all
 /// stresses along edges; friction and stick by the largest of their history, and friction by no less than what may balance itself.
 pub(super) fn worst_of_edges(
     level: &Numbers,
@@ -89,7 +82,7 @@ pub(super) fn worst_of_edges(
         };
         Worst::of(number, error, scale, bound)
     };
-    of_edges(level).filter_map(part).max_by(Worst::is_larger)
+    of_edges(level).filter_map(part).max_by(Worst::compared)
 }
 
 /// The numbers of edges that count: of contacts, or where there are none of all edges, along which nothing rubs.
@@ -124,16 +117,16 @@ pub(super) fn bounds_sets(level: &Numbers, accuracy: Accuracy) -> bool {
     all.any(|stated| bound_of_set(level, stated, accuracy).is_some())
 }
 
-/// The same of sets, whose forces and displacements are measured by no less than a small part of the largest of all sets, and stiffness by that of its own history.
-fn worst_of_sets(
+/// The same of sets in the load step `step`, whose forces and displacements are measured by no less than a small part of the largest of all sets, and stiffness by that of its own history.
+pub(super) fn worst_of_sets(
     level: &Numbers,
-    errors: &Estimates,
+    errors: &Motions,
     accuracy: Accuracy,
     step: usize,
 ) -> Option<Worst> {
     let part = |(set, stated): (usize, SetStated)| {
         let bound = bound_of_set(level, stated, accuracy)?;
-        let error = errors.sets.get(step, set, stated)?;
+        let error = errors.get(step, set, stated)?;
         let own = level.sets.get(step, set, stated)?.abs();
         let largest = match stated {
             // No stiffness vanishes.
@@ -146,9 +139,9 @@ fn worst_of_sets(
         let scale = own.max(SMALL * largest);
         Worst::of(stated.into(), error, scale, bound)
     };
-    let sets = 0..errors.sets.count();
+    let sets = 0..errors.count();
     let numbers = sets.flat_map(|set| SetStated::ALL.map(|stated| (set, stated)));
-    numbers.filter_map(part).max_by(Worst::is_larger)
+    numbers.filter_map(part).max_by(Worst::compared)
 }
 
 /// What `accuracy` bounds and has no error anywhere in `errors`: every number with a name, of others all together.

@@ -122,7 +122,7 @@ pub enum LadderEnd {
     LoadPath,
     /// No error is stated: what gaps on the deformed geometry would change was to be found and was not.
     Unchecked,
-    /// No error can be stated of a number whose accuracy is asked for by its name; the others are met.
+    /// No error can be stated of a number whose accuracy is asked for by its name, or of any that an accuracy without names bounds; others are met.
     Unstated,
 }
 

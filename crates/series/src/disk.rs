@@ -239,10 +239,9 @@ impl Disk {
     /// [`SeriesError::State`] for another number of strains than of load cases, [`SeriesError::LoadNotFinite`], [`SeriesError::NotSymmetric`] for a shear strain of a half
     /// model.
     pub fn with_expansions(mut self, strains: &[[f64; 3]]) -> Result<Self, SeriesError> {
-        let cases = self.responses.len();
-        self.expansions = Expansions::new(strains, cases, self.nodes.is_mirrored())?;
-        self.expansions
-            .add_to(&mut self.responses, &self.points, self.circle.centre);
+        let places = (self.points.as_slice(), self.circle.centre);
+        let mirrored = self.nodes.is_mirrored();
+        self.expansions = Expansions::added_to(&mut self.responses, strains, places, mirrored)?;
         Ok(self)
     }
 

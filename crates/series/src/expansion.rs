@@ -15,20 +15,22 @@ use crate::error::SeriesError;
 pub(crate) struct Expansions(Vec<[f64; 3]>);
 
 impl Expansions {
-    /// Those `strains` of `cases` load cases, of a half model if `mirrored`.
+    /// Those `strains` of a unit of each load case, with the displacements of `points` about `centre` added to the `responses` to these; of a half model if `mirrored`.
     ///
     /// # Errors
-    /// [`SeriesError::State`] for another number of them, [`SeriesError::LoadNotFinite`], and [`SeriesError::NotSymmetric`] for a shear strain of a half model.
-    pub(crate) fn new(
+    /// [`SeriesError::State`] for another number of strains than of load cases, [`SeriesError::LoadNotFinite`], and [`SeriesError::NotSymmetric`] for a shear strain of a half
+    /// model.
+    pub(crate) fn added_to(
+        responses: &mut [Option<DVector<f64>>],
         strains: &[[f64; 3]],
-        cases: usize,
+        (points, centre): (&[Point], Point),
         mirrored: bool,
     ) -> Result<Self, SeriesError> {
-        if strains.len() != cases {
+        if strains.len() != responses.len() {
             return Err(SeriesError::State {
                 what: "strains",
                 found: strains.len(),
-                expected: cases,
+                expected: responses.len(),
             });
         }
         for (case, [xx, yy, xy]) in strains.iter().enumerate() {
@@ -39,17 +41,7 @@ impl Expansions {
             ];
             check_load(case, mirrored, &values)?;
         }
-        Ok(Self(strains.to_vec()))
-    }
-
-    /// Adds the displacements of `points` about `centre` to the `responses` to load cases.
-    pub(crate) fn add_to(
-        &self,
-        responses: &mut [Option<DVector<f64>>],
-        points: &[Point],
-        centre: Point,
-    ) {
-        for (strain, response) in self.0.iter().zip(responses) {
+        for (strain, response) in strains.iter().zip(responses) {
             if *strain == [0.0; 3] {
                 continue;
             }
@@ -62,6 +54,7 @@ impl Expansions {
                 None => moved,
             });
         }
+        Ok(Self(strains.to_vec()))
     }
 
     /// The strain of all load cases with these multipliers.
