@@ -103,6 +103,12 @@ on = "block.top"
         .map(|own| own.get(Stated::PeakHoop).is_some())
         .collect();
     assert_eq!(has_error, [true, false]);
+    // At the corner itself, where x = 0 is along the top.
+    let at_corner = results.steps.iter().map(|step| &step.edges[2].errors);
+    let has_error: Vec<bool> = at_corner
+        .map(|own| own.get(Stated::HoopAtBearing).is_some())
+        .collect();
+    assert_eq!(has_error, [true, false]);
     // Across the edge the same load ends without harm.
     let pressed = [
         "analysis.accuracy=1 %",
