@@ -7,7 +7,7 @@
 //! | examples of missing keys      | [`Key::assignment`]                             |
 //! | checks of ranges and choices  | `build/declared.rs`                             |
 //!
-//! A new key is a field of a table and a row of its `TABLES`, both in the table's file below `format`. Shapes bring their own rows.
+//! A new key is a field of a table and a row of its `TABLES`, both in the table's file below `schema`, where its value becomes a number. Shapes bring their own rows.
 //!
 //! A key of meshes is one row for `mesh` and `bodies.NAME.mesh`. Beside its field and its row it needs what makes it part of a mesh: the
 //! compiler asks for it where a body's settings are made of its own and the scene's (`build/mesh.rs`) and where a mesh is made coarser
@@ -18,10 +18,10 @@ mod document;
 mod tests;
 
 use crate::declaration::{Key, Table};
-use crate::format::{
-    self, bodies, contacts, failure, fasteners, loads, materials, progressive, supports,
+use crate::schema::{
+    analysis, body, contact, failure, fastener, loads, mesh, output, progressive, supports,
 };
-use crate::shape;
+use crate::{format, material, shape};
 
 pub use self::document::document;
 
@@ -29,14 +29,17 @@ pub use self::document::document;
 pub fn tables() -> impl Iterator<Item = Table> {
     let own = [
         format::TABLES,
-        materials::TABLES,
-        bodies::TABLES,
-        contacts::TABLES,
+        analysis::TABLES,
+        material::TABLES,
+        body::TABLES,
+        mesh::TABLES,
+        contact::TABLES,
         supports::TABLES,
-        fasteners::TABLES,
+        fastener::TABLES,
         loads::TABLES,
         failure::TABLES,
         progressive::TABLES,
+        output::TABLES,
     ];
     let own = own.into_iter().flatten().copied();
     own.chain(shape::tables())

@@ -5,37 +5,19 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use stickslip_fem_core::material::{MaterialError, OrthotropicConstants, OutOfPlane, PlaneState};
+use stickslip_fem_core::material::{MaterialError, PlaneState};
 use stickslip_fem_core::mesh::Point;
 use stickslip_laminate::Ply;
 
 use super::{Builder, Materials};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
-use crate::format::{BodyFormat, IsotropicFormat, MaterialFormat, OrthotropicFormat, SceneFormat};
+use crate::format::SceneFormat;
 use crate::limits::Content;
+use crate::material::{MaterialFormat, OrthotropicFormat};
 use crate::schema::{Body, Contact, Material, SetRef, Substance};
 use crate::shape::{Shape, Sizes};
-use crate::units::{Angle, Length, PerTemperature, Quantity};
-
-fn expansion(given: Option<&Quantity<PerTemperature>>) -> f64 {
-    given.map_or(0.0, Quantity::value)
-}
-
-fn isotropic(given: &IsotropicFormat) -> Material {
-    let IsotropicFormat {
-        young,
-        poisson,
-        expansion: by_heat,
-        yield_stress,
-    } = given;
-    Material::Isotropic {
-        young: young.value(),
-        poisson: *poisson,
-        expansion: expansion(by_heat.as_ref()),
-        yield_stress: yield_stress.as_ref().map(Quantity::value),
-    }
-}
+use crate::units::{Angle, Length, Quantity};
 
 impl Builder<'_> {
     pub(super) fn materials(
@@ -49,7 +31,7 @@ impl Builder<'_> {
             self.name("materials", name);
             let table = child("materials", name);
             let (kind, material) = match material {
-                MaterialFormat::Isotropic(given) => ("isotropic", isotropic(given)),
+                MaterialFormat::Isotropic(given) => ("isotropic", given.material()),
                 MaterialFormat::Orthotropic(given) => {
                     ("orthotropic", self.orthotropic(&table, given, plane))
                 }
@@ -79,54 +61,12 @@ impl Builder<'_> {
         plane: PlaneState,
     ) -> Material {
         let table = child(table, "orthotropic");
-        let OrthotropicFormat {
-            e1,
-            e2,
-            g12,
-            nu12,
-            angle,
-            expansion1,
-            expansion2,
-            e3,
-            nu13,
-            nu23,
-            expansion3,
-        } = given;
-        let constants = OrthotropicConstants {
-            e1: e1.value(),
-            e2: e2.value(),
-            g12: g12.value(),
-            nu12: *nu12,
-        };
-        let e3 = e3.as_ref().map(Quantity::value);
-        let out_of_plane = match (e3, *nu13, *nu23) {
-            (Some(e3), Some(nu13), Some(nu23)) => Some(OutOfPlane {
-                e3,
-                nu13,
-                nu23,
-                alpha3: expansion(expansion3.as_ref()),
-            }),
-            _ => None,
-        };
         if plane == PlaneState::Strain {
-            let present = [e3.is_some(), nu13.is_some(), nu23.is_some()];
-            for (name, _) in ["e3", "nu13", "nu23"]
-                .into_iter()
-                .zip(present)
-                .filter(|(_, given)| !given)
-            {
+            for name in given.missing_out_of_plane() {
                 self.missing(&table, name);
             }
         }
-        Material::Orthotropic {
-            constants,
-            angle: angle.as_ref().map_or(0.0, Quantity::value),
-            expansion: [
-                expansion(expansion1.as_ref()),
-                expansion(expansion2.as_ref()),
-            ],
-            out_of_plane,
-        }
+        given.material()
     }
 
     fn bad_material(&mut self, table: &str, name: &str, cause: MaterialError) {
@@ -152,31 +92,12 @@ impl Builder<'_> {
         for (name, body) in &format.bodies {
             self.name("bodies", name);
             let table = child("bodies", name);
-            // The division is read when all bodies are known.
-            let BodyFormat {
-                material,
-                rigid,
-                thickness,
-                shape,
-                position,
-                angle,
-                model,
-                mesh: _,
-                // Written out before the scene is read.
-                pattern: _,
-            } = body;
-            let material = material.as_ref().filter(|_| !rigid);
-            let substance = self.substance(&table, material, thickness.as_ref(), materials);
-            let shape = shape.read(&child(&table, "shape"), self);
-            let shape = self.turned(&table, shape, angle.as_ref());
-            let position = self.position(&table, &shape, position.as_ref());
-            let body = Body {
-                substance,
-                shape,
-                position,
-                model: *model,
-                mesh: None,
-            };
+            let material = body.material.as_ref().filter(|_| !body.rigid);
+            let substance = self.substance(&table, material, body.thickness.as_ref(), materials);
+            let shape = body.shape.read(&child(&table, "shape"), self);
+            let shape = self.turned(&table, shape, body.angle.as_ref());
+            let position = self.position(&table, &shape, body.position.as_ref());
+            let body = body.body(substance, shape, position);
             self.bodies.insert(name.clone(), body);
         }
     }

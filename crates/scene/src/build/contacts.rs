@@ -5,9 +5,9 @@ use stickslip_friction::PlyFraction;
 use super::{Builder, Fits, LONGEST_NAME, Materials};
 use crate::diagnostic::SceneProblem;
 use crate::document::Part;
-use crate::format::{ContactFormat, SceneFormat};
+use crate::format::SceneFormat;
 use crate::friction;
-use crate::schema::{Contact, GapKind, SetRef, Substance};
+use crate::schema::{Contact, ContactFormat, GapKind, SetRef, Substance};
 use crate::shape::{Edge, Role, Touch};
 
 /// Largest overlap of two circles, as a part of the hole's radius: small displacements hold far below it.
@@ -108,19 +108,10 @@ impl Builder<'_> {
         given: &mut ContactFormat,
         materials: &Materials,
     ) -> Option<Contact> {
-        let ContactFormat {
-            name: _,
-            first,
-            second,
-            gap,
-            projection,
-            interference,
-            friction,
-        } = given;
-        let first = self.set(&format!("{key}.first"), first, Fits::Edges);
-        let second = self.set(&format!("{key}.second"), second, Fits::Edges);
+        let first = self.set(&format!("{key}.first"), &given.first, Fits::Edges);
+        let second = self.set(&format!("{key}.second"), &given.second, Fits::Edges);
         let law_key = format!("{key}.friction");
-        let law = match friction {
+        let law = match &mut given.friction {
             None => {
                 self.report(
                     key,
@@ -152,17 +143,9 @@ impl Builder<'_> {
         let (first, second) = (first?, second?);
         // Contact of a body with itself is refused elsewhere.
         if first.body != second.body {
-            self.pair(key, *gap, *interference, &first, &second);
+            self.pair(key, given, &first, &second);
         }
-        Some(Contact {
-            name,
-            first,
-            second,
-            gap: *gap,
-            projection: *projection,
-            interference: *interference,
-            law: law?,
-        })
+        Some(given.contact(name, [first, second], law?))
     }
 
     /// What the plies of the first body's laminate have of its thickness.
@@ -174,18 +157,13 @@ impl Builder<'_> {
         Some(sheet.ply_fractions())
     }
 
-    fn pair(
-        &mut self,
-        key: &str,
-        gap: GapKind,
-        interference: bool,
-        first: &SetRef,
-        second: &SetRef,
-    ) {
+    fn pair(&mut self, key: &str, given: &ContactFormat, first: &SetRef, second: &SetRef) {
         match self.touch(first, second) {
-            Some(Touch::Circles { radii }) => self.circles(interference, [first, second], radii),
+            Some(Touch::Circles { radii }) => {
+                self.circles(given.interference, [first, second], radii);
+            }
             Some(Touch::Cylinder { .. }) => self.divided_together(key, [first, second]),
-            Some(Touch::Open) => self.open(key, gap, [first, second]),
+            Some(Touch::Open) => self.open(key, given.gap, [first, second]),
             None => self.no_pair(key, first, second),
         }
     }

@@ -8,14 +8,10 @@ use stickslip_laminate::{Degradation, FailureCriterion, FailureError};
 use super::{Builder, Materials, Surroundings};
 use crate::diagnostic::{LaminateProblem, SceneProblem};
 use crate::document::{Part, child};
-
-use crate::format::{
-    CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, SceneFormat,
-    default_interaction, default_shear_weight,
-};
-use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Substance};
+use crate::format::SceneFormat;
+use crate::schema::failure::{EnvelopesFormat, default_interaction, default_shear_weight};
+use crate::schema::{Body, Envelopes, Failure, FailureFormat, LaminateSheet, Substance};
 use crate::shape::Role;
-use crate::units::Quantity;
 
 impl Builder<'_> {
     pub(super) fn failure(
@@ -25,42 +21,16 @@ impl Builder<'_> {
         surroundings: &Surroundings<'_>,
     ) -> Option<Failure> {
         let given = format.failure.as_ref()?;
-        // The keys that are not named here are read with the criteria, the bodies and the progressive failure.
-        let FailureFormat {
-            criteria: _,
-            bodies: _,
-            clear_of_supports,
-            tsai_wu_interaction: _,
-            hashin_shear_weight: _,
-            characteristic,
-            envelopes,
-            progressive: _,
-        } = given;
         let criteria = self.criteria(given);
         self.parameters_act(given);
         let bodies = self.failing_bodies(given, materials);
         self.strengths(given, &criteria, &bodies, materials);
-        let characteristic = characteristic.as_ref().map(|distances| {
+        if given.characteristic.is_some() {
             self.holes(given, &bodies);
-            let CharacteristicFormat {
-                tension,
-                compression,
-            } = distances;
-            Characteristic {
-                tension: tension.value(),
-                compression: compression.value(),
-            }
-        });
-        let envelopes = envelopes.as_ref().map(|given| self.envelopes(given));
+        }
+        let envelopes = given.envelopes.as_ref().map(|given| self.envelopes(given));
         let progressive = self.progressive(given, &bodies, materials, surroundings);
-        Some(Failure {
-            criteria,
-            bodies,
-            clear_of_supports: clear_of_supports.as_ref().map(Quantity::value),
-            characteristic,
-            envelopes,
-            progressive,
-        })
+        Some(given.failure(criteria, bodies, envelopes, progressive))
     }
 
     /// Refuses parameters, other than their defaults, of criteria that nothing asks for.
@@ -236,14 +206,8 @@ impl Builder<'_> {
     }
 
     fn envelopes(&mut self, given: &EnvelopesFormat) -> Envelopes {
-        let EnvelopesFormat {
-            planes,
-            directions,
-            last_ply,
-        } = given;
-        let last_ply = last_ply.as_ref().and_then(|factors| {
-            let DiscountFormat { fibre, matrix } = *factors;
-            match Degradation::new(fibre, matrix) {
+        let last_ply = given.last_ply.as_ref().and_then(|factors| {
+            match Degradation::new(factors.fibre, factors.matrix) {
                 Ok(degradation) => Some(degradation),
                 Err(cause) => {
                     let key = child("failure.envelopes.last_ply", cause.name);
@@ -253,13 +217,7 @@ impl Builder<'_> {
                 }
             }
         });
-        let mut planes = planes.clone();
-        planes.dedup();
-        Envelopes {
-            planes,
-            directions: *directions,
-            last_ply,
-        }
+        given.envelopes(last_ply)
     }
 }
 

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::{BesideSlices, Builder, Materials};
 use crate::document::child;
-use crate::format::{EndFormat, FastenerFormat, SceneFormat, SpringsFormat};
+use crate::format::SceneFormat;
+use crate::schema::fastener::{EndFormat, FastenerFormat, SpringsFormat};
 use crate::schema::{Contact, Fastener, KinematicsChoice, Material, SetRef, Springs, Substance};
 use crate::shape::{Curve, Role};
 use crate::units::Quantity;

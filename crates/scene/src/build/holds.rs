@@ -8,44 +8,21 @@ use super::idle::spans;
 use super::{Builder, Fits};
 use crate::diagnostic::SceneProblem;
 use crate::document::Part;
-use crate::format::{PlatenFormat, SceneFormat, SupportFormat};
+use crate::format::SceneFormat;
 use crate::schema::{
-    Axes, Axis, Contact, Fastener, Hold, Platen, SetRef, SpringSize, SpringSupport, Substance,
-    Support,
+    Axes, Contact, Fastener, Hold, Platen, SetRef, SpringSize, SpringSupport, Substance, Support,
+    SupportFormat,
 };
-use crate::units::{Angle, Quantity};
-
-fn axes(list: &[Axis]) -> Axes {
-    Axes {
-        x: list.contains(&Axis::X),
-        y: list.contains(&Axis::Y),
-    }
-}
-
-/// What a support holds; `None` where that has been reported.
-fn hold(fix: Option<&[Axis]>, normal: Option<&Quantity<Angle>>) -> Option<Hold> {
-    match (fix, normal) {
-        (Some(list), None) if !list.is_empty() => Some(Hold::Axes(axes(list))),
-        (None, Some(normal)) => Some(Hold::Direction(normal.value())),
-        _ => None,
-    }
-}
+use crate::units::Quantity;
 
 impl Builder<'_> {
     pub(super) fn supports(&mut self, format: &SceneFormat) -> (Vec<Support>, Vec<SpringSupport>) {
         let (mut supports, mut springs) = (Vec::new(), Vec::new());
         for (index, given) in format.supports.iter().enumerate() {
             let key = format!("supports.{index}");
-            let SupportFormat {
-                on,
-                fix,
-                normal,
-                displacement,
-                stiffness,
-                bed,
-            } = given;
-            let on = self.set(&format!("{key}.on"), on, Fits::EdgesAndPoints);
-            let twice = fix
+            let on = self.set(&format!("{key}.on"), &given.on, Fits::EdgesAndPoints);
+            let twice = given
+                .fix
                 .as_deref()
                 .filter(|fix| matches!(fix, [one, other] if one == other));
             if twice.is_some() {
@@ -56,8 +33,8 @@ impl Builder<'_> {
                     "write [\"x\"], [\"y\"] or [\"x\", \"y\"]",
                 );
             }
-            let hold = hold(fix.as_deref(), normal.as_ref());
-            if stiffness.is_some() || bed.is_some() {
+            let hold = given.hold();
+            if given.stiffness.is_some() || given.bed.is_some() {
                 let size = self.spring_size(&key, given, on.as_ref());
                 if let (Some(on), Some(hold), Some(stiffness)) = (on, hold, size) {
                     springs.push(SpringSupport {
@@ -69,7 +46,7 @@ impl Builder<'_> {
                 }
                 continue;
             }
-            let displacement = displacement.as_ref().map_or(0.0, Quantity::value);
+            let displacement = given.displacement.as_ref().map_or(0.0, Quantity::value);
             if displacement != 0.0 && matches!(hold, Some(Hold::Axes(Axes { x: true, y: true }))) {
                 let message = "one displacement is given, but two directions are fixed";
                 let remedy = "write one support for x and one for y, each with its displacement";
@@ -87,12 +64,7 @@ impl Builder<'_> {
                 self.contradicts(&key, &supports, on, hold, displacement);
             }
             if let (Some(on), Some(hold)) = (on, hold) {
-                supports.push(Support {
-                    index,
-                    on,
-                    hold,
-                    displacement,
-                });
+                supports.push(given.support(index, on, hold));
             }
         }
         self.springs_act(&supports, &springs);
@@ -213,9 +185,9 @@ impl Builder<'_> {
 
     pub(super) fn platens(&mut self, format: &SceneFormat, contacts: &[Contact]) -> Vec<Platen> {
         let mut platens: Vec<Platen> = Vec::new();
-        for (index, PlatenFormat { on, free }) in format.platens.iter().enumerate() {
+        for (index, given) in format.platens.iter().enumerate() {
             let key = format!("platens.{index}.on");
-            let Some(on) = self.set(&key, on, Fits::Edges) else {
+            let Some(on) = self.set(&key, &given.on, Fits::Edges) else {
                 continue;
             };
             if let Some(other) = platens.iter().find(|other| other.on.body == on.body) {
@@ -236,10 +208,7 @@ impl Builder<'_> {
                 );
                 self.conflict(&key, message, "glue another edge of the body to the platen");
             }
-            platens.push(Platen {
-                on,
-                free: axes(free),
-            });
+            platens.push(given.platen(on));
         }
         platens
     }

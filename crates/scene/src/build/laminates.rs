@@ -11,7 +11,8 @@ use stickslip_laminate::{Laminate, Layup, Ply, PlyConstants, Strength, Strengths
 use super::Builder;
 use crate::diagnostic::LaminateProblem;
 use crate::document::{Part, child};
-use crate::format::{LaminateFormat, PlyFormat, SceneFormat, StrengthsFormat};
+use crate::format::SceneFormat;
+use crate::material::{LaminateFormat, PlyFormat, StrengthsFormat};
 use crate::schema::LaminateSheet;
 use crate::units::{Quantity, Stress};
 

@@ -5,18 +5,11 @@ use std::path::Path;
 use super::{Builder, Fits, Materials};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
-use crate::format::{
-    BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat, PressureFormat, SceneFormat,
-    TemperatureFormat,
-};
-use crate::schema::{Load, LoadKind, PolarTable, SetRef, Substance};
+use crate::format::SceneFormat;
+use crate::schema::loads::{BearingFormat, PolarTractionFormat};
+use crate::schema::{Load, LoadFormat, LoadKind, SetRef, Substance};
 use crate::shape::Role;
 use crate::table;
-use crate::units::{Measure, Quantity};
-
-fn values<M: Measure>(steps: &[Quantity<M>]) -> Vec<f64> {
-    steps.iter().map(Quantity::value).collect()
-}
 
 impl Builder<'_> {
     /// The loads that could be read, with their numbers in the scene.
@@ -29,18 +22,17 @@ impl Builder<'_> {
         let mut loads: Vec<(usize, Load)> = Vec::new();
         for (index, given) in format.loads.iter().enumerate() {
             let key = format!("loads.{index}");
-            let name = given.name.clone();
-            let name = name.unwrap_or_else(|| format!("load{}", index + 1));
             let Some(kind) = self.kind(&key, given, materials, base) else {
                 continue;
             };
-            self.history(&key, &name, &kind, loads.first().map(|(_, first)| first));
-            loads.push((index, Load { name, kind }));
+            let load = given.load(index, kind);
+            self.history(&key, &load, loads.first().map(|(_, first)| first));
+            loads.push((index, load));
         }
         loads
     }
 
-    fn history(&mut self, key: &str, name: &str, kind: &LoadKind, first: Option<&Load>) {
+    fn history(&mut self, key: &str, Load { name, kind }: &Load, first: Option<&Load>) {
         let key = child(&child(key, key_of(kind)), "steps");
         let steps = kind.steps().len();
         if steps == 0 {
@@ -50,7 +42,7 @@ impl Builder<'_> {
             && first.kind.steps().len() != steps
         {
             let problem = SceneProblem::UnequalSteps {
-                load: name.to_owned(),
+                load: name.clone(),
                 steps,
                 other: first.name.clone(),
                 other_steps: first.kind.steps().len(),
@@ -70,40 +62,28 @@ impl Builder<'_> {
         if self.is_refused_at(key) {
             return None;
         }
-        let LoadFormat {
-            name: _,
-            on,
-            force,
-            bearing,
-            pressure,
-            polar_traction,
-            temperature,
-        } = given;
-        if let Some(TemperatureFormat { steps }) = temperature {
-            return Some(LoadKind::Temperature {
-                body: self.heated(key, on, materials)?,
-                steps: values(steps),
-            });
+        if let Some(temperature) = &given.temperature {
+            return Some(temperature.kind(self.heated(key, &given.on, materials)?));
         }
-        let fits = match force {
+        let fits = match given.force {
             Some(_) => Fits::EdgesAndPoints,
             None => Fits::Edges,
         };
-        let on = self.set(&child(key, "on"), on, fits)?;
-        if let Some(force) = force {
+        let on = self.set(&child(key, "on"), &given.on, fits)?;
+        if let Some(force) = &given.force {
             if self.has_several_nodes(key, &on) {
                 return None;
             }
-            return self.force(key, on, force);
+            let direction = self.direction(&child(key, "force.direction"), &force.direction)?;
+            return Some(force.kind(on, direction));
         }
-        if let Some(bearing) = bearing {
+        if let Some(bearing) = &given.bearing {
             return self.bearing(key, on, bearing);
         }
-        if let Some(PressureFormat { steps }) = pressure {
-            let steps = values(steps);
-            return Some(LoadKind::Pressure { on, steps });
+        if let Some(pressure) = &given.pressure {
+            return Some(pressure.kind(on));
         }
-        self.polar(key, on, polar_traction.as_ref()?, base)
+        self.polar(key, on, given.polar_traction.as_ref()?, base)
     }
 
     /// The unit vector of a direction given at `key`.
@@ -124,15 +104,6 @@ impl Builder<'_> {
         Some([x / length, y / length])
     }
 
-    fn force(&mut self, key: &str, on: SetRef, force: &ForceFormat) -> Option<LoadKind> {
-        let ForceFormat { direction, steps } = force;
-        Some(LoadKind::Force {
-            on,
-            direction: self.direction(&child(key, "force.direction"), direction)?,
-            steps: values(steps),
-        })
-    }
-
     fn bearing(&mut self, key: &str, on: SetRef, bearing: &BearingFormat) -> Option<LoadKind> {
         if self.edge_of(&on).is_none_or(|edge| edge.role != Role::Hole) {
             let message = format!("'{on}' is no hole, and a bearing load stands for a pin in one");
@@ -140,18 +111,8 @@ impl Builder<'_> {
             self.conflict(&child(key, "on"), message, remedy);
             return None;
         }
-        let key = child(key, "bearing");
-        let BearingFormat {
-            direction,
-            law,
-            steps,
-        } = bearing;
-        Some(LoadKind::Bearing {
-            on,
-            direction: self.direction(&child(&key, "direction"), direction)?,
-            law: *law,
-            steps: values(steps),
-        })
+        let direction = self.direction(&child(key, "bearing.direction"), &bearing.direction)?;
+        Some(bearing.kind(on, direction))
     }
 
     fn heated(&mut self, key: &str, name: &str, materials: &Materials) -> Option<String> {
@@ -207,20 +168,12 @@ impl Builder<'_> {
             return None;
         }
         let key = child(key, "polar_traction");
-        let PolarTractionFormat {
-            file,
-            stress,
-            theta,
-            radial,
-            shear,
-            steps,
-        } = given;
-        let file = base.join(file);
-        let columns = [theta, radial, shear].map(String::as_str);
+        let file = base.join(&given.file);
+        let columns = [&given.theta, &given.radial, &given.shear].map(String::as_str);
         let read = table::read(&file, columns, self.document.host)
             .and_then(|columns| table::check_angles(&columns[0]).map(|()| columns));
-        let [theta, radial, shear] = match read {
-            Ok(columns) => columns,
+        match read {
+            Ok(columns) => Some(given.kind(on, file, columns)),
             Err(error) => {
                 let path = file.display().to_string();
                 let problem = SceneProblem::DataFile {
@@ -229,23 +182,9 @@ impl Builder<'_> {
                     remedy: error.remedy,
                 };
                 self.report(&child(&key, "file"), Part::Value, problem);
-                return None;
+                None
             }
-        };
-        let in_base = stress.unit().in_base;
-        let scaled = |column: Vec<f64>| column.into_iter().map(|value| value * in_base).collect();
-        let theta = theta.into_iter().map(f64::to_radians).collect();
-        let table = PolarTable {
-            file,
-            theta,
-            radial: scaled(radial),
-            shear: scaled(shear),
-        };
-        Some(LoadKind::PolarTraction {
-            on,
-            table,
-            steps: steps.clone(),
-        })
+        }
     }
 }
 

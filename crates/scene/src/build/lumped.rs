@@ -5,7 +5,7 @@ use stickslip_text::significant;
 use super::fasteners::Slice;
 use super::{Builder, Materials};
 use crate::document::child;
-use crate::format::{FormulaFormat, JointFormat, LumpedFormat};
+use crate::schema::fastener::{FormulaFormat, JointFormat, LumpedFormat};
 use crate::schema::{Formula, HuthJoint, Lap, LapPlate, Material, Springs, Substance};
 
 /// Part of a thickness or modulus by which equal ones may differ.

@@ -3,16 +3,15 @@
 use std::f64::consts::TAU;
 
 use serde_json::Value;
-use stickslip_fem_core::mesh::ElementKind;
 
 use super::Builder;
 use crate::document::{Part, child};
-use crate::format::{MeshFormat, SceneFormat};
-use crate::schema::{Body, Division, Grading, MeshSettings, Substance};
+use crate::format::SceneFormat;
+use crate::schema::mesh::{DEFAULT_ELEMENT, merged};
+use crate::schema::{Body, Division, Grading, MeshFormat, MeshSettings, Substance};
 use crate::shape::Shape;
 use crate::units::{AngleOrLength, Dimension, Expected, Quantity, UnitError};
 
-const DEFAULT_ELEMENT: ElementKind = ElementKind::Q8;
 /// Cells along the shorter side of a body that is divided equally, of the coarsest division that is tried.
 const ALONG: f64 = 32.0;
 /// Fewest such cells of a body with smaller ones where it touches.
@@ -130,21 +129,8 @@ impl Builder<'_> {
         given: &MeshFormat,
         inherited: Option<Division>,
     ) -> MeshSettings {
-        // The keys that are not named here make the division.
-        let MeshFormat {
-            element,
-            layers,
-            spacing: _,
-            angles: _,
-            fine_to: _,
-            coarse_spacing: _,
-        } = *given;
-        MeshSettings {
-            element: element.unwrap_or(DEFAULT_ELEMENT),
-            division: inherited.unwrap_or_else(|| self.division(scope, given)),
-            layers,
-            fineness: 1.0,
-        }
+        let division = inherited.unwrap_or_else(|| self.division(scope, given));
+        given.settings(division)
     }
 
     /// Refuses the keys written in a table of mesh settings that the shape of none of its bodies uses.
@@ -333,52 +319,6 @@ impl Builder<'_> {
             "body '{body}' ({shape}) is divided by {divided}, but {key} = {text} is {found}"
         );
         self.conflict(&key, message, remedy);
-    }
-}
-
-impl MeshFormat {
-    /// Whether it has a key of the division.
-    fn divides(&self) -> bool {
-        let Self {
-            element: _,
-            spacing,
-            angles,
-            fine_to,
-            coarse_spacing,
-            layers: _,
-        } = self;
-        spacing.is_some() || angles.is_some() || fine_to.is_some() || coarse_spacing.is_some()
-    }
-}
-
-/// What a body's own settings and those of the scene make together. A spacing of its own keeps the fine zone of the scene where
-/// that is possible; a list of angles says everything.
-fn merged(own: &MeshFormat, whole: &MeshFormat) -> MeshFormat {
-    let divides = own.spacing.is_some() || own.angles.is_some();
-    let fits = |fine_to: &Quantity<AngleOrLength>| match (&own.spacing, &own.angles) {
-        (Some(spacing), None) => {
-            fine_to.dimension() == spacing.dimension() && fine_to.value() >= spacing.value()
-        }
-        (None, None) => true,
-        (_, Some(_)) => false,
-    };
-    // Without `..` on either side, so that a new key is neither lost here nor kept by chance.
-    let MeshFormat {
-        element,
-        spacing,
-        angles,
-        fine_to,
-        coarse_spacing,
-        layers,
-    } = whole.clone();
-    let own = own.clone();
-    MeshFormat {
-        element: own.element.or(element),
-        spacing: own.spacing.or(spacing.filter(|_| !divides)),
-        angles: own.angles.or(angles.filter(|_| !divides)),
-        fine_to: own.fine_to.or(fine_to.filter(fits)),
-        coarse_spacing: own.coarse_spacing.or(coarse_spacing.filter(|_| !divides)),
-        layers: own.layers.or(layers),
     }
 }
 

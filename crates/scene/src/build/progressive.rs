@@ -11,14 +11,13 @@ use super::failure::{criterion, no_criterion};
 use super::{Builder, Fits, Materials, Surroundings};
 use crate::diagnostic::{LaminateProblem, SceneProblem};
 use crate::document::{Part, child};
-use crate::format::{
-    ControlFormat, CrackBandFormat, DisplacementFormat, FailureFormat, LoadsFormat,
-    ProgressiveFormat,
-};
 use crate::point_model;
+use crate::schema::progressive::{
+    ControlFormat, CrackBandFormat, DisplacementFormat, ProgressiveFormat,
+};
 use crate::schema::{
-    Axis, Contact, Control, Hold, LaminateSheet, Load, LoadKind, Platen, Progressive,
-    ProgressiveModel, SetRef, Substance, Support,
+    Axis, Contact, Control, FailureFormat, Hold, LaminateSheet, Load, LoadKind, Platen,
+    Progressive, ProgressiveModel, SetRef, Substance, Support,
 };
 use crate::shape::{Edge, Role};
 use crate::units::Quantity;
@@ -251,9 +250,7 @@ impl Builder<'_> {
         }
         let table = child(TABLE, "control");
         match given {
-            ControlFormat::Loads(LoadsFormat { increments }) => Some(Control::Loads {
-                increments: *increments,
-            }),
+            ControlFormat::Loads(loads) => Some(loads.control()),
             ControlFormat::Displacement(displacement) => {
                 self.driven(&child(&table, "displacement"), displacement, around)
             }
@@ -266,24 +263,11 @@ impl Builder<'_> {
         given: &DisplacementFormat,
         around: &Surroundings<'_>,
     ) -> Option<Control> {
-        let DisplacementFormat {
-            on,
-            axis,
-            end,
-            increments,
-            drop,
-        } = given;
         let key = child(table, "on");
-        let on = self.set(&key, on, Fits::EdgesAndPoints)?;
-        self.can_be_driven(&key, &on, *axis, around);
-        self.nothing_else_loads(&key, &on, *axis, around);
-        Some(Control::Displacement {
-            on,
-            axis: *axis,
-            end: end.value(),
-            increments: *increments,
-            drop: *drop,
-        })
+        let on = self.set(&key, &given.on, Fits::EdgesAndPoints)?;
+        self.can_be_driven(&key, &on, given.axis, around);
+        self.nothing_else_loads(&key, &on, given.axis, around);
+        Some(given.control(on))
     }
 
     /// A drive takes the place of what loads the driven set along its axis, and leaves no room for other loads.

@@ -3,8 +3,15 @@
 use std::f64::consts::PI;
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_text::short;
+
+use crate::declaration::choices::quoted;
+use crate::declaration::{
+    Key, NONE, POSITIVE, Range, Table, angles, integer, names, numbers, spacing, with_default,
+};
+use crate::units::{Angle, AngleOrLength, Quantity};
 
 /// How finely the bodies are divided.
 #[derive(Debug, Clone, PartialEq)]
@@ -149,6 +156,125 @@ impl Grading {
             fine_to,
             coarse_spacing: coarse_spacing.map(|spacing| factor * spacing),
         }
+    }
+}
+
+/// `[mesh]`, or what differs from it in `[bodies.NAME.mesh]`.
+#[derive(Debug, Clone, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MeshFormat {
+    pub(crate) element: Option<ElementKind>,
+    pub(crate) spacing: Option<Quantity<AngleOrLength>>,
+    pub(crate) angles: Option<Vec<Quantity<Angle>>>,
+    pub(crate) fine_to: Option<Quantity<AngleOrLength>>,
+    pub(crate) coarse_spacing: Option<Quantity<AngleOrLength>>,
+    pub(crate) layers: Option<usize>,
+}
+
+impl MeshFormat {
+    /// The settings of this division.
+    pub(crate) fn settings(&self, division: Division) -> MeshSettings {
+        // The keys that are named `_` make the division.
+        let Self {
+            element,
+            spacing: _,
+            angles: _,
+            fine_to: _,
+            coarse_spacing: _,
+            layers,
+        } = *self;
+        MeshSettings {
+            element: element.unwrap_or(DEFAULT_ELEMENT),
+            division,
+            layers,
+            fineness: 1.0,
+        }
+    }
+}
+
+/// Element of cells where the scene names none.
+pub(crate) const DEFAULT_ELEMENT: ElementKind = ElementKind::Q8;
+
+/// `[mesh]`.
+#[rustfmt::skip]
+const MESH: [Key; 6] = [
+    names("element", elements, r#"`"Q8"`"#, r#""Q4""#, "element of the cells"),
+    spacing("spacing", "required, or `angles`", r#""2 deg""#,
+        "spacing of nodes: round shapes, an angle on the contact circle at θ = 0; cylinder and block, a length at the contact \
+        point; rectangle, a length everywhere; an angle is at most 45 deg").range(POSITIVE),
+    angles("angles", NONE, r#"["0 deg", "30 deg", "60 deg", "90 deg", "120 deg", "150 deg", "180 deg"]"#,
+        "the nodes of the contact circle themselves, increasing from 0 deg: to 180 deg, mirrored in a whole model; or around \
+        to below 360 deg, for whole models only; a strip needs nodes near the directions of its corners"),
+    spacing("fine_to", "everywhere; line contact: half_length/8", r#""100 deg""#,
+        "distance from θ = 0 or from the contact point, to both sides, up to which `spacing` holds; beyond it the spacing \
+        grows from cell to cell by 15 % on circles and 12 % in line contacts; not of rectangles").range(POSITIVE),
+    spacing("coarse_spacing", "4 × `spacing`", r#""9 deg""#,
+        "on circles the spacing that it grows to; needs `fine_to`").range(POSITIVE),
+    integer("layers", "by the number of angles and the width of a ring, for cells about as deep as wide", "24",
+        "layers of cells around the hole of a plate or ring; other shapes choose their own").range(FROM_ONE),
+];
+
+/// `[bodies.NAME.mesh]`: what differs from there.
+const OWN_MESH: &[Key] = &with_default(MESH, "of the scene");
+
+const DIVISIONS: &[&[&str]] = &[&["spacing", "fine_to", "coarse_spacing"], &["angles"]];
+const DIVISION_CHOICES: &str = r#"spacing = "2 deg", angles = ["0 deg", …]"#;
+const FROM_ONE: Range = numbers(" ≥ 1", "at least 1", |value| value >= 1.0);
+
+#[rustfmt::skip]
+pub(crate) const TABLES: &[Table] = &[
+    Table::new("bodies.NAME.mesh", OWN_MESH).at_most_one_of(DIVISIONS, DIVISION_CHOICES),
+    Table::new("mesh", &MESH).one_of(DIVISIONS, DIVISION_CHOICES),
+];
+
+/// The names of the elements.
+fn elements() -> String {
+    quoted(ElementKind::ALL.iter().map(|kind| kind.name()))
+}
+
+impl MeshFormat {
+    /// Whether it has a key of the division.
+    pub(crate) fn divides(&self) -> bool {
+        let Self {
+            element: _,
+            spacing,
+            angles,
+            fine_to,
+            coarse_spacing,
+            layers: _,
+        } = self;
+        spacing.is_some() || angles.is_some() || fine_to.is_some() || coarse_spacing.is_some()
+    }
+}
+
+/// What a body's own settings and those of the scene make together. A spacing of its own keeps the fine zone of the scene where
+/// that is possible; a list of angles says everything.
+pub(crate) fn merged(own: &MeshFormat, whole: &MeshFormat) -> MeshFormat {
+    let divides = own.spacing.is_some() || own.angles.is_some();
+    let fits = |fine_to: &Quantity<AngleOrLength>| match (&own.spacing, &own.angles) {
+        (Some(spacing), None) => {
+            fine_to.dimension() == spacing.dimension() && fine_to.value() >= spacing.value()
+        }
+        (None, None) => true,
+        (_, Some(_)) => false,
+    };
+    // Without `..` on either side, so that a new key is neither lost here nor kept by chance.
+    let MeshFormat {
+        element,
+        spacing,
+        angles,
+        fine_to,
+        coarse_spacing,
+        layers,
+    } = whole.clone();
+    let own = own.clone();
+    MeshFormat {
+        element: own.element.or(element),
+        spacing: own.spacing.or(spacing.filter(|_| !divides)),
+        angles: own.angles.or(angles.filter(|_| !divides)),
+        fine_to: own.fine_to.or(fine_to.filter(fits)),
+        coarse_spacing: own.coarse_spacing.or(coarse_spacing.filter(|_| !divides)),
+        layers: own.layers.or(layers),
     }
 }
 

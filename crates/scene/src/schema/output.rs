@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::declaration::{Table, flag, words};
+
 /// What is written beside tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -37,3 +39,14 @@ pub enum FieldOutput {
     /// Each.
     All,
 }
+
+#[rustfmt::skip]
+pub(crate) const TABLES: &[Table] = &[
+    Table::new("output", &[
+        words("fields", r#"`"none"`, `"peak"`, `"last"`, `"all"`"#, r#"`"peak"`"#, r#""all""#,
+            "load steps whose displacements and stresses are written as VTU, and drawn: none, that of the largest load in \
+            magnitude (the earliest of equals), of each load by which joints of their own are counted, the last, every one"),
+        flag("figures", "`true`", "false", "whether figures are drawn, as SVG, as PNG and in `report.html`"),
+        flag("meshes", "`false`", "true", "whether the meshes of bodies are written as `meshes/BODY.msh` and `.inp`, which `shape.mesh` reads"),
+    ]),
+];

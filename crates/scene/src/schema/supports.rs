@@ -1,8 +1,12 @@
 //! What holds bodies: supports, springs and platens.
 
-use serde::{Deserialize, Serialize};
-
 use super::SetRef;
+use crate::declaration::{
+    NONE, POSITIVE, REQUIRED, Table, angle, bed_stiffness, filled, length, set, spring_stiffness,
+    words,
+};
+use crate::units::{Angle, BedStiffness, Length, Quantity, SpringStiffness};
+use serde::{Deserialize, Serialize};
 
 /// A coordinate axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -34,6 +38,14 @@ pub struct Axes {
 }
 
 impl Axes {
+    /// Those in `list`.
+    pub(crate) fn of(list: &[Axis]) -> Self {
+        Self {
+            x: list.contains(&Axis::X),
+            y: list.contains(&Axis::Y),
+        }
+    }
+
     /// Their unit vectors.
     pub fn directions(self) -> Vec<[f64; 2]> {
         let all = [(self.x, [1.0, 0.0]), (self.y, [0.0, 1.0])];
@@ -113,3 +125,86 @@ pub struct Platen {
     /// Axes along which it moves freely; along the others it is held.
     pub free: Axes,
 }
+
+/// `[[supports]]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SupportFormat {
+    pub(crate) on: String,
+    pub(crate) fix: Option<Vec<Axis>>,
+    pub(crate) normal: Option<Quantity<Angle>>,
+    pub(crate) displacement: Option<Quantity<Length>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) stiffness: Option<Quantity<SpringStiffness>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) bed: Option<Quantity<BedStiffness>>,
+}
+
+impl SupportFormat {
+    /// What it holds; `None` where that has been reported.
+    pub(crate) fn hold(&self) -> Option<Hold> {
+        match (self.fix.as_deref(), &self.normal) {
+            (Some(list), None) if !list.is_empty() => Some(Hold::Axes(Axes::of(list))),
+            (None, Some(normal)) => Some(Hold::Direction(normal.value())),
+            _ => None,
+        }
+    }
+
+    /// The support that stands at `index` of its list.
+    pub(crate) fn support(&self, index: usize, on: SetRef, hold: Hold) -> Support {
+        // What is named `_` makes where and how it holds, and springs.
+        let Self {
+            on: _,
+            fix: _,
+            normal: _,
+            displacement,
+            stiffness: _,
+            bed: _,
+        } = self;
+        let displacement = displacement.as_ref();
+        Support {
+            index,
+            on,
+            hold,
+            displacement: displacement.map_or(0.0, Quantity::value),
+        }
+    }
+}
+
+/// `[[platens]]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PlatenFormat {
+    pub(crate) on: String,
+    pub(crate) free: Vec<Axis>,
+}
+
+impl PlatenFormat {
+    pub(crate) fn platen(&self, on: SetRef) -> Platen {
+        let Self { on: _, free } = self;
+        Platen {
+            on,
+            free: Axes::of(free),
+        }
+    }
+}
+
+#[rustfmt::skip]
+pub(crate) const TABLES: &[Table] = &[
+    Table::new("supports", &[
+        set("on", REQUIRED, r#""plate.left""#, "edge, point, or area, whose mean displacement is held by a reaction that is spread evenly over it"),
+        words("fix", r#"list of `"x"`, `"y"`"#, "required, or `normal`", r#"["x"]"#,
+            "axes along which the nodes are held").range(filled(r#"["x"], ["y"] or ["x", "y"]"#)),
+        angle("normal", NONE, r#""30 deg""#, "one direction, from +x, along which the nodes are held; across it they slide"),
+        length("displacement", "0", r#""0.01 mm""#,
+            "displacement along that one axis or direction, reached at the end of the first load step and kept"),
+        spring_stiffness("stiffness", NONE, r#""500 N/mm""#,
+            "springs to the ground instead, along each axis or direction: of the whole edge, over which it is spread evenly, or of a point").range(POSITIVE),
+        bed_stiffness("bed", NONE, r#""20 MPa/mm""#, "the same of an edge, per area").range(POSITIVE),
+    ]).one_of(&[&["fix"], &["normal"]], r#"fix = ["x", "y"], normal = "30 deg""#),
+    Table::new("platens", &[
+        set("on", REQUIRED, r#""plate.left""#, "the edge"),
+        words("free", r#"list of `"x"`, `"y"`"#, REQUIRED, r#"["x", "y"]"#,
+            "axes along which it moves freely; along the others it is held, `[]` holds it"),
+    ]),
+];

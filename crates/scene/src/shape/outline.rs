@@ -102,11 +102,6 @@ pub trait Outline: fmt::Debug {
         self.mesh_keys().is_empty()
     }
 
-    /// Whether it is divided into cells of any shape, with corners anywhere.
-    fn is_general(&self) -> bool {
-        false
-    }
-
     /// Whether one length says all of its size, so that its plane compliance is that of any other size.
     fn is_similar(&self) -> bool {
         false

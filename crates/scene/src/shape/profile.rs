@@ -136,10 +136,6 @@ impl Outline for Profile {
         }
     }
 
-    fn is_general(&self) -> bool {
-        true
-    }
-
     fn reentrant_corners(&self) -> Vec<(Point, f64)> {
         self.contour.reentrant_corners()
     }

@@ -6,19 +6,18 @@ use stickslip_engine::model::obstacle_to_half;
 use stickslip_scene::Scene;
 use stickslip_scene::digest::sha256;
 use stickslip_scene::placement::middle;
-use stickslip_scene::schema::{Analysis, Body, Contact, LoadKind, Material, Substance};
+use stickslip_scene::schema::{Analysis, Body, LoadKind, Material, Shape, SolverChoice, Substance};
+use stickslip_scene::shape::Disk;
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
 pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
-    // Without `..`, here and below, so that no key is forgotten: what is named `_` does not change a body. The mesh is that of the scene
-    // where the body has none of its own.
+    let body = scene.bodies.get(name)?;
     let Body {
         substance,
         shape,
         position,
-        model: _,
-        mesh: _,
-    } = scene.bodies.get(name)?;
+        ..
+    } = body;
     let Substance::Elastic {
         material,
         thickness,
@@ -27,27 +26,16 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
         return None;
     };
     let constants = scene.materials.get(material)?;
-    let Analysis {
-        plane,
-        model,
-        kinematics: _,
-        compliance: _,
-        solver: _,
-        experimental: _,
-        substeps: _,
-        ramp: _,
-        accuracy: _,
-        budget: _,
-        memory: _,
-        contact_nodes: _,
-    } = scene.analysis;
-    let elastic = constants.in_plane(plane).ok()?;
+    let elastic = constants.in_plane(scene.analysis.plane).ok()?;
+    // The mesh is that of the scene where the body has none of its own.
     let mut text = format!(
-        "{name} {thickness} {:?} {:?} {:?} {model:?} {:?}",
+        "{name} {thickness} {:?} {:?} {:?} {:?} {:?} {:?}",
         elastic.stiffness(),
         elastic.thermal_strain(1.0),
         scene.mesh_of(name),
-        middle(scene)
+        middle(scene),
+        of_bodies(scene.analysis),
+        other_keys(body)
     );
     // Writing into a string does not fail.
     let _ = if shape.is_similar() && size_does_not_matter(scene, name) {
@@ -84,6 +72,34 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     Some(sha256(&text))
 }
 
+/// What of `analysis` a body depends on. A key that is not named here counts, so that a new one is not forgotten; below likewise.
+fn of_bodies(analysis: Analysis) -> Analysis {
+    Analysis {
+        kinematics: None,
+        compliance: None,
+        solver: SolverChoice::Auto,
+        experimental: false,
+        substeps: None,
+        ramp: None,
+        accuracy: None,
+        budget: None,
+        memory: None,
+        contact_nodes: None,
+        ..analysis
+    }
+}
+
+/// `body` without what is compared apart.
+fn other_keys(body: &Body) -> Body {
+    Body {
+        substance: Substance::Rigid,
+        shape: Shape::Disk(Disk { radius: 1.0 }),
+        position: [0.0; 2],
+        mesh: None,
+        ..body.clone()
+    }
+}
+
 /// What a model depends on beside friction laws and the sizes of loads; of the laws, whether they mirror.
 pub(super) fn model_key(scene: &Scene) -> String {
     let mut text = format!(
@@ -105,16 +121,7 @@ pub(super) fn model_key(scene: &Scene) -> String {
         }
     }
     for contact in &scene.contacts {
-        let Contact {
-            name,
-            first,
-            second,
-            gap,
-            projection,
-            interference: _,
-            law: _,
-        } = contact;
-        let _ = write!(text, "\n{name} {first} {second} {gap:?} {projection:?}");
+        let _ = write!(text, "\n{}", contact.geometry());
     }
     sha256(&text)
 }
