@@ -115,6 +115,8 @@ pub struct SolverInfo {
     /// Whether its answers may be regularised, of a looser tolerance, or limited to few points: for studies of methods. Answers of others
     /// are verified, as [`contract::check_listed`] tests.
     pub experimental: bool,
+    /// Whether it works on problems whose compliance is held in blocks too.
+    pub on_blocks: bool,
     /// Makes it with its default options.
     pub make: fn() -> Box<dyn InterfaceSolver>,
 }
@@ -127,6 +129,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "semismooth Newton, then pivoting",
         summary: "climbs from the fastest to the safest until one succeeds (default)",
         experimental: false,
+        on_blocks: true,
         make: || Box::new(Chain::newton_first()),
     },
     SolverInfo {
@@ -135,6 +138,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "status iteration, then semismooth Newton, then pivoting",
         summary: "iteration of open, stick and slip per node",
         experimental: false,
+        on_blocks: true,
         make: || Box::new(Chain::status_first()),
     },
     SolverInfo {
@@ -143,6 +147,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "semismooth Newton, then pivoting",
         summary: "semismooth Newton on the contact conditions",
         experimental: false,
+        on_blocks: true,
         make: || Box::new(Chain::newton_first()),
     },
     SolverInfo {
@@ -151,6 +156,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "pivoting",
         summary: "Lemke's pivoting on the linear complementarity problem",
         experimental: false,
+        on_blocks: false,
         make: || alone(Pivoting::default()),
     },
     SolverInfo {
@@ -159,6 +165,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "least-index principal pivoting",
         summary: "exchange of single complementary pairs, for small friction",
         experimental: false,
+        on_blocks: false,
         make: || alone(PrincipalPivoting::default()),
     },
     SolverInfo {
@@ -167,6 +174,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "accelerated Gauss-Seidel",
         summary: "each point solved in turn, with acceleration of the sweeps",
         experimental: false,
+        on_blocks: false,
         make: || alone(GaussSeidel::default()),
     },
     SolverInfo {
@@ -175,6 +183,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "augmented Lagrangian",
         summary: "contact springs, and multipliers that take over from them",
         experimental: false,
+        on_blocks: false,
         make: || alone(AugmentedLagrangian::default()),
     },
     SolverInfo {
@@ -183,6 +192,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "continuation",
         summary: "the solution followed from less friction or a smaller load",
         experimental: false,
+        on_blocks: false,
         make: || alone(Continuation::default()),
     },
     SolverInfo {
@@ -191,6 +201,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "penalty",
         summary: "contact springs: answers of the springs' accuracy",
         experimental: true,
+        on_blocks: false,
         make: || Box::new(Penalty::default()),
     },
     SolverInfo {
@@ -199,6 +210,7 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "Tresca fixed point",
         summary: "given friction bounds, updated until they fit, for small friction",
         experimental: true,
+        on_blocks: false,
         make: || Box::new(TrescaFixedPoint::default()),
     },
     SolverInfo {
@@ -207,9 +219,21 @@ pub const SOLVERS: [SolverInfo; 11] = [
         method: "enumeration of all statuses",
         summary: "every combination of statuses, of at most six points",
         experimental: true,
+        on_blocks: false,
         make: || Box::new(Enumeration::default()),
     },
 ];
+
+const _: () = {
+    let mut index = 0;
+    while index < SOLVERS.len() {
+        assert!(
+            SOLVERS[index].kind as usize == index,
+            "in the order of the kinds"
+        );
+        index += 1;
+    }
+};
 
 fn alone(solver: impl InterfaceSolver + 'static) -> Box<dyn InterfaceSolver> {
     Box::new(Chain::alone(Box::new(solver)))
@@ -243,7 +267,7 @@ impl SolverKind {
 
     /// Its line in [`SOLVERS`].
     pub fn info(self) -> &'static SolverInfo {
-        // The list is in the order of the kinds, which a test checks.
+        // The list is in the order of the kinds, which is checked below it.
         &SOLVERS[self as usize]
     }
 
@@ -258,10 +282,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_list_is_in_the_order_of_the_kinds() {
-        for (index, solver) in SOLVERS.iter().enumerate() {
-            assert_eq!(solver.kind as usize, index);
-            assert_eq!(solver.kind.info().name, solver.name);
+    fn every_solver_is_found_by_its_name() {
+        for solver in SOLVERS {
             assert_eq!(SolverKind::named(solver.name), Some(solver.kind));
         }
     }

@@ -91,7 +91,8 @@ pub fn half_extent(zones: &[Zone], closed: Option<f64>) -> Option<f64> {
     Some(0.5 * reach)
 }
 
-/// Places where contact begins or ends; the ends of the contact line itself do not count.
+/// Places where contact begins or ends, in the unit of the zones and in the order of the walk; on a `closed` line, as in [`zones`], its start comes last. The ends of
+/// an open line do not count.
 pub fn ends_of_contact(zones: &[Zone], closed: Option<f64>) -> Vec<f64> {
     let differ = |one: &Zone, other: &Zone| one.status.touches() != other.status.touches();
     let pairs = zones.windows(2).filter(|pair| differ(&pair[0], &pair[1]));

@@ -133,7 +133,7 @@ impl Host {
         self.system.seconds()
     }
 
-    /// The bytes of a regular file.
+    /// The bytes of a regular file; `content` says how much memory one of them will take.
     ///
     /// # Errors
     /// Those of the system; a folder, device or pipe; a file that would take more memory than there is.

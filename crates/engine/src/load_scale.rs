@@ -29,7 +29,7 @@ impl LoadScale {
         }
     }
 
-    /// The measure for the edge with the index `edge`.
+    /// The measure for the edge with the index `edge`; of all loads where no part has it.
     pub fn of_edge(results: &Results, edge: usize) -> Self {
         let mut parts = results.parts.iter();
         Self::of_part(results, parts.find(|part| part.edges.contains(&edge)))

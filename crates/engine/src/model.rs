@@ -320,7 +320,7 @@ fn kinematics(plan: &Plan<'_>) -> Choice {
         )
     };
     Choice {
-        what: "kinematics".into(),
+        what: Choice::KINEMATICS.into(),
         value: value.into(),
         reason: reason.into(),
     }

@@ -48,7 +48,7 @@ pub enum SeriesField {
 }
 
 impl SeriesBody {
-    /// What contact sees of it.
+    /// Compliance on its contact nodes, as contact uses it.
     pub fn interface(&self) -> &dyn InterfaceOperator {
         match self {
             Self::Plate(plate) => plate.as_ref(),

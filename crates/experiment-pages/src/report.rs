@@ -125,12 +125,12 @@ impl ExperimentReport {
         self.files.push((name, bytes));
     }
 
-    /// What a reader must know before trusting the numbers.
+    /// Adds a warning, shown before the numbers.
     pub fn warn(&mut self, text: impl Into<String>) {
         self.page.warnings.push(text.into());
     }
 
-    /// A choice, a default, or a source, below the answers.
+    /// Adds a choice, a default, or a source, shown below the answers.
     pub fn note(&mut self, text: impl Into<String>) {
         self.page.notes.push(text.into());
     }

@@ -9,7 +9,7 @@ use crate::before::{Asked, before};
 use crate::geometry::Geometry;
 use crate::grading::Grading;
 use crate::level::Level;
-use crate::models::{Division, Models};
+use crate::models::{Division, Models, slowness};
 use crate::motions::Motions;
 use crate::numbers::{Estimates, Numbers, Table, above_rounding, drop_unresolved, sum};
 use crate::path::{self, Changes, Halved, Left};
@@ -147,7 +147,7 @@ impl Climb<'_> {
     ) -> Motions {
         let sets: Vec<&Motions> = levels.iter().map(|level| &level.numbers.sets).collect();
         let divided = Motions::of_division(&sets, self.models.spaced().rate());
-        let divided = divided.times(self.models.slowness(&last.model));
+        let divided = divided.times(slowness(&last.model));
         let all = divided.and(&path.sets).and(&geometry.errors.sets);
         let all = all.above_rounding(&last.numbers.sets);
         all.only(&self.sets_with_errors(last))

@@ -4,7 +4,7 @@ use super::along::Along;
 use super::motions::Motions;
 use super::numbers::{Estimates, Numbers, Table, difference, zipped};
 use stickslip_engine::model::ModelError;
-use stickslip_engine::results::{Bounded, Results};
+use stickslip_engine::results::{Bounded, Choice, Results};
 use stickslip_engine::run::RunError;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::KinematicsChoice;
@@ -89,7 +89,7 @@ impl Geometry {
     /// Puts the reason among the choices of `found`.
     pub(super) fn explain(&self, found: &mut Results) {
         let mut choices = found.choices.iter_mut();
-        let choice = choices.find(|choice| choice.what == "kinematics");
+        let choice = choices.find(|choice| choice.what == Choice::KINEMATICS);
         if let Some(choice) = choice.filter(|_| !self.reason.is_empty()) {
             choice.reason.clone_from(&self.reason);
         }

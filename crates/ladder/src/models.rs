@@ -162,20 +162,6 @@ impl<'a> Models<'a> {
         (0..model.bodies.len()).filter(is_meshed).collect()
     }
 
-    /// By how much what a division of `model` leaves of displacements exceeds what it changed last.
-    pub(super) fn slowness(&self, model: &Model) -> f64 {
-        let own = model.bodies.iter().map(|body| {
-            let shape = self.scene.bodies.get(&body.name).map(|own| &own.shape);
-            let is_general = body.series.is_none() && shape.is_some_and(|own| own.is_general());
-            match (is_general, body.corners.is_empty()) {
-                (false, _) => 1.0,
-                (true, false) => SLOW[0],
-                (true, true) => SLOW[1],
-            }
-        });
-        own.fold(1.0, f64::max)
-    }
-
     /// How nodes are spaced.
     pub(super) fn spaced(&self) -> Spaced {
         match (self.is_graded(), self.kinematics) {
@@ -427,4 +413,22 @@ fn each_mesh(scene: &mut Scene, change: fn(&MeshSettings) -> MeshSettings) {
     for body in scene.bodies.values_mut() {
         body.mesh = body.mesh.as_ref().map(change);
     }
+}
+
+/// By how much what a division of `model` leaves of displacements exceeds what it changed last.
+pub(super) fn slowness(model: &Model) -> f64 {
+    let own = model.bodies.iter().map(|body| {
+        let elastic = body.elastic().filter(|_| body.series.is_none());
+        // Triangles have any shape, with corners anywhere.
+        let is_general = elastic.is_some_and(|own| {
+            let mut cells = own.mesh().blocks().iter();
+            cells.any(|block| block.kind.corners() == 3)
+        });
+        match (is_general, body.corners.is_empty()) {
+            (false, _) => 1.0,
+            (true, false) => SLOW[0],
+            (true, true) => SLOW[1],
+        }
+    });
+    own.fold(1.0, f64::max)
 }

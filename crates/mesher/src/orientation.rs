@@ -20,7 +20,7 @@ const MOST_PAIRED: usize = 8;
 /// Most directions that are tried: more are those of regular outlines, which look the same along each.
 const MOST: usize = 16;
 
-/// Unit vectors within 45° of x, one at least; right angles do not tell directions apart.
+/// Unit vectors within 45° of x, one at least; right angles do not distinguish them.
 pub(crate) fn directions(outline: &Outline) -> Vec<Point> {
     let tracks = outline.tracks[outline.loops[0].clone()].iter();
     let chords = tracks.map(|track| (distance(track.from, track.to), minus(track.to, track.from)));

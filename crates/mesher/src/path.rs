@@ -70,19 +70,19 @@ impl Path {
         self.tracks.iter().skip(1).map(|(begin, _)| *begin)
     }
 
-    /// The point at arc length `s`; beyond its ends those.
+    /// The point at arc length `s` `[length]`; before the start and beyond the end those.
     pub fn at(&self, s: f64) -> Point {
         let (begin, track) = self.stretch(s);
         track.at(s - begin)
     }
 
-    /// Unit vector along the walk at arc length `s`.
+    /// Unit vector along the walk at arc length `s` `[length]`.
     pub fn tangent(&self, s: f64) -> Point {
         let (begin, track) = self.stretch(s);
         track.tangent(s - begin)
     }
 
-    /// Unit vector to the left of the walk at arc length `s`.
+    /// Unit vector to the left of the walk at arc length `s` `[length]`.
     pub fn left(&self, s: f64) -> Point {
         let [x, y] = self.tangent(s);
         [-y, x]

@@ -127,7 +127,7 @@ impl SetStated {
 pub struct SetNumbers([Option<f64>; 4]);
 
 impl SetNumbers {
-    /// Those that `number` gives.
+    /// Collects what `number` gives of each.
     pub fn of(number: impl FnMut(SetStated) -> Option<f64>) -> Self {
         Self(SetStated::ALL.map(number))
     }

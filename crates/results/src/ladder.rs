@@ -1,7 +1,7 @@
 //! What an accuracy bounds, and the models that were tried for it.
 
 use serde::Serialize;
-use stickslip_scene::schema::{Accuracy, RelativeError};
+use stickslip_scene::schema::{Accuracy, Bounds, RelativeError};
 
 use super::displacement::SetStated;
 use super::stated::Stated;
@@ -52,19 +52,33 @@ impl Bounded {
             }
             Accuracy::Named(bounds) => bounds,
         };
+        // Without `..`, so that no bound is without effect.
+        let Bounds {
+            peak_pressure,
+            peak_hoop,
+            contact_extent,
+            stick_extent,
+            friction_force,
+            normal_force,
+            hoop_at_bearing,
+            displacement,
+            stiffness,
+            tangent_stiffness,
+            reaction,
+        } = named;
         let error = match self {
-            Self::Edge(Stated::PeakPressure) => named.peak_pressure,
-            Self::Edge(Stated::PeakHoop) => named.peak_hoop,
-            Self::Edge(Stated::ContactExtent) => named.contact_extent,
-            Self::Edge(Stated::StickExtent) => named.stick_extent,
-            Self::Edge(Stated::FrictionForce) => named.friction_force,
-            Self::Edge(Stated::NormalForce) => named.normal_force,
-            Self::Edge(Stated::HoopAtBearing) => named.hoop_at_bearing,
+            Self::Edge(Stated::PeakPressure) => peak_pressure,
+            Self::Edge(Stated::PeakHoop) => peak_hoop,
+            Self::Edge(Stated::ContactExtent) => contact_extent,
+            Self::Edge(Stated::StickExtent) => stick_extent,
+            Self::Edge(Stated::FrictionForce) => friction_force,
+            Self::Edge(Stated::NormalForce) => normal_force,
+            Self::Edge(Stated::HoopAtBearing) => hoop_at_bearing,
             Self::Edge(_) => None,
-            Self::Set(SetStated::Force) => named.reaction,
-            Self::Set(SetStated::Displacement) => named.displacement,
-            Self::Set(SetStated::Secant) => named.stiffness,
-            Self::Set(SetStated::Tangent) => named.tangent_stiffness,
+            Self::Set(SetStated::Force) => reaction,
+            Self::Set(SetStated::Displacement) => displacement,
+            Self::Set(SetStated::Secant) => stiffness,
+            Self::Set(SetStated::Tangent) => tangent_stiffness,
         };
         error.map(RelativeError::share)
     }

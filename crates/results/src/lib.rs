@@ -121,7 +121,7 @@ pub struct ResultPart {
 }
 
 /// A choice that the program made.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Choice {
     /// What was chosen, e.g. "model".
     pub what: String,
@@ -129,6 +129,11 @@ pub struct Choice {
     pub value: String,
     /// Why.
     pub reason: String,
+}
+
+impl Choice {
+    /// [`what`](Self::what) of the geometry on which contact is found.
+    pub const KINEMATICS: &str = "kinematics";
 }
 
 /// A body as it was modelled.

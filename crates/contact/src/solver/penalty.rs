@@ -20,7 +20,8 @@ use crate::state::TrialState;
 /// Contact springs of a stiffness that is given relative to the bodies'.
 #[derive(Clone, Copy, Debug)]
 pub struct Penalty {
-    /// Stiffness of the springs, as a multiple of the inverse of the mean compliance of a contact component.
+    /// Stiffness of the springs, as a multiple of the inverse of the mean compliance of a contact component, > 0 `[1]`. A pressed point penetrates by its force over
+    /// that stiffness.
     pub factor: f64,
 }
 

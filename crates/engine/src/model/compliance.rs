@@ -1,7 +1,7 @@
 //! How the compliance of a body is held: one matrix for all its edges in contact, or a block for each.
 
 use stickslip_scene::Scene;
-use stickslip_scene::schema::{ComplianceChoice, KinematicsChoice, SolverChoice};
+use stickslip_scene::schema::{ComplianceChoice, KinematicsChoice};
 
 use super::{ModelBody, ModelBodyKind, ModelError};
 use crate::results::Choice;
@@ -59,14 +59,9 @@ pub(super) fn choose(
 /// What in the scene needs one matrix.
 fn obstacle(scene: &Scene) -> Option<String> {
     let analysis = &scene.analysis;
-    let works = [
-        SolverChoice::Auto,
-        SolverChoice::Newton,
-        SolverChoice::Status,
-    ];
-    if !works.contains(&analysis.solver) {
-        let name = analysis.solver.info().name;
-        return Some(format!("solver = \"{name}\" works on one matrix"));
+    let solver = analysis.solver.info();
+    if !solver.on_blocks {
+        return Some(format!("solver = \"{}\" works on one matrix", solver.name));
     }
     if analysis.kinematics == Some(KinematicsChoice::DeformedGaps) {
         return Some(

@@ -73,8 +73,8 @@ pub struct FollowedJoint {
     pub asked: Progressive,
     /// Whether the body itself is driven, and not what it is joined to.
     pub drives_body: bool,
-    /// The scene under the drive, which replaces its loads.
-    driven: Option<Arc<Scene>>,
+    /// The model under the drive, which replaces the loads; `None` where these are raised.
+    pub(crate) driven: Option<Arc<Model>>,
 }
 
 impl Request {
@@ -146,7 +146,9 @@ impl FailureRequest {
                 across: planned.shape.mirror().unwrap_or(0),
                 hole,
                 frame,
-                progressive: own.map(|asked| FollowedJoint::of(scene, asked)),
+                progressive: own
+                    .map(|asked| FollowedJoint::of(scene, asked))
+                    .transpose()?,
             });
         }
         Ok(Self {
@@ -166,7 +168,7 @@ fn region(mesh: &Mesh, set: &str) -> Result<Option<Region>, MeshError> {
 }
 
 impl FollowedJoint {
-    fn of(scene: &Scene, asked: &Progressive) -> Self {
+    fn of(scene: &Scene, asked: &Progressive) -> Result<Self, ModelError> {
         let (drives_body, driven) = match &asked.control {
             Control::Loads { .. } => (false, None),
             Control::Displacement { on, axis, end, .. } => {
@@ -174,19 +176,17 @@ impl FollowedJoint {
                 driven.loads.clear();
                 driven.failure = None;
                 drive(&mut driven, on, *axis, *end);
-                (on.body == asked.body, Some(Arc::new(driven)))
+                (
+                    on.body == asked.body,
+                    Some(Arc::new(Model::build(&driven)?)),
+                )
             }
         };
-        Self {
+        Ok(Self {
             asked: asked.clone(),
             drives_body,
             driven,
-        }
-    }
-
-    /// Builds the model under the drive; `None` where the scene's own loads are raised.
-    pub(crate) fn driven(&self) -> Result<Option<Model>, ModelError> {
-        self.driven.as_deref().map(Model::build).transpose()
+        })
     }
 }
 

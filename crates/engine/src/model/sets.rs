@@ -40,14 +40,14 @@ pub enum Measure {
         case: usize,
         /// Force of a multiplier of one `[N]`.
         force: f64,
-        /// Where displacements are taken, with weights along x and y whose sum along the load is one.
+        /// Where displacements are taken, with weights `[1]` along x and y whose sum along the load is one.
         mean: Mean,
     },
     /// Of springs: their force follows from the mean displacement.
     Springs {
-        /// Nodes with the weights of their displacements along x and y, whose sum along the springs is one.
+        /// Nodes with the weights `[1]` of their displacements along x and y, whose sum along the springs is one.
         weights: Vec<(usize, [f64; 2])>,
-        /// Of all of them together `[N/mm]`.
+        /// Stiffness of all of them together `[N/mm]`.
         stiffness: f64,
     },
     /// Of what holds it: the displacement is given.
@@ -57,7 +57,7 @@ pub enum Measure {
         nodes: Option<NodeWeights>,
         /// What the resultant is multiplied with: the direction, of a half model by what the other half takes too.
         along: [f64; 2],
-        /// `[mm]`
+        /// Given displacement along it `[mm]`.
         displacement: f64,
     },
 }

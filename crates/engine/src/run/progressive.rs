@@ -44,8 +44,7 @@ impl Subject<'_> {
         model: &Model,
         solver: &dyn InterfaceSolver,
     ) -> Result<ProgressiveFailure, RunError> {
-        let driven = self.followed.driven()?;
-        let followed = driven.as_ref().unwrap_or(model);
+        let followed = self.followed.driven.as_deref().unwrap_or(model);
         let bodies = self.bodies(followed, true)?;
         let body = || self.asked.body.clone();
         let frame = (self.frame(followed.half))

@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 use stickslip_friction::registry::find;
-use stickslip_friction::{Dimension, laws};
+use stickslip_friction::{Dimension, FrictionLaw, laws};
+
+use super::every_law;
 
 #[test]
 fn lists_the_laws_by_name() {
@@ -139,17 +141,33 @@ fn describes_every_parameter_that_is_written_and_no_other() {
 /// A parameter with a default may be left out, and the default is what is described.
 #[test]
 fn defaults_are_those_of_the_laws() {
-    let minimal = [
-        r#"{"static_dynamic":{"static":0.5,"dynamic":0.25}}"#,
-        r#"{"slip_power":{"static":0.5,"dynamic":0.25,"slip_scale":1.0,"exponent":1.0}}"#,
-    ];
-    for text in minimal {
-        let law: Box<dyn stickslip_friction::FrictionLaw> = serde_json::from_str(text).unwrap();
-        let written = serde_json::to_value(&law).unwrap();
-        for parameter in find(law.name()).unwrap().parameters {
-            if let Some(default) = parameter.default {
-                assert_eq!(written[law.name()][parameter.path].to_string(), default);
-            }
+    let mut tried = BTreeSet::new();
+    for law in every_law() {
+        let name = law.name();
+        let whole = serde_json::to_value(&law).unwrap();
+        for parameter in find(name).unwrap().parameters {
+            let Some(default) = parameter.default else {
+                continue;
+            };
+            // A law that allows strengthening has values that another default refuses.
+            let mut bare = whole.clone();
+            bare[name].as_object_mut().unwrap().remove(parameter.path);
+            let Ok(law) = serde_json::from_value::<Box<dyn FrictionLaw>>(bare) else {
+                continue;
+            };
+            let read = serde_json::to_value(&law).unwrap();
+            assert_eq!(read[name][parameter.path].to_string(), default, "{name}");
+            tried.insert((name.to_owned(), parameter.path));
+        }
+    }
+    for law in laws() {
+        for parameter in law.parameters {
+            let path = (law.name.to_owned(), parameter.path);
+            assert_eq!(
+                parameter.default.is_some(),
+                tried.contains(&path),
+                "{path:?}"
+            );
         }
     }
 }

@@ -101,6 +101,7 @@ impl Data {
     }
 
     /// The same data with one more error in each block: its shape times an unknown amplitude, normal about zero with standard deviation 1.
+    /// `shapes[b]` has one entry for each datum of block b, in its unit.
     ///
     /// It adds d dᵀ to the covariance of a block with shape d. A shape that is small beside the errors changes nothing, and one that is
     /// large takes away all that the data say along it, as a nuisance does.

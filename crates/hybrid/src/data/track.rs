@@ -177,7 +177,7 @@ impl FringeLine {
         &self.places
     }
 
-    /// Orders of the fringe centres `[fringes]`.
+    /// Orders of the fringe centres `[fringes]`, one for each of [`places`](Self::places).
     pub fn orders(&self) -> &[f64] {
         &self.orders
     }

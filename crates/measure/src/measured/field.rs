@@ -71,9 +71,9 @@ impl Measured {
 pub struct PictureField {
     /// The picture, or the first of four.
     pub picture: PixelMap,
-    /// Orders up to a whole number, in −½ … ½, less the carrier.
+    /// Orders up to a whole number, in −½ … ½, less the carrier `[fringes]`.
     pub wrapped: PixelMap,
-    /// Orders without jumps, carrier and null field taken off (but for a null field that is a table); one region.
+    /// Orders without jumps, carrier and null field taken off (but for a null field that is a table) `[fringes]`; one region.
     pub orders: PixelMap,
     /// Middles of loops of four pixels around which orders do not close, those of the null field's picture too `[mm]`.
     pub residues: Vec<Point>,
@@ -85,9 +85,9 @@ pub struct PictureField {
     pub resolution: f64,
     /// The carrier that was taken off `[1/mm]`.
     pub carrier: [f64; 2],
-    /// Power of the carrier's peak over that of the noise, of a single picture.
+    /// Power of the carrier's peak over that of the noise `[1]`, of a single picture.
     pub strength: Option<f64>,
-    /// Median amplitude of the fringes, part of full scale.
+    /// Median amplitude of the fringes over full scale `[1]`.
     pub modulation: f64,
     /// Whether this is a picture of the null field alone: the state's own data are a table.
     pub of_null: bool,

@@ -188,9 +188,14 @@ impl<'a> EdgeView<'a> {
         self.step(step).judged_from(self.geometry)
     }
 
+    /// Whether slip goes away from a bearing point and towards it, and not along +e_t and −e_t.
+    pub(super) fn slips_about_bearing(&self) -> bool {
+        self.is_circle() && self.geometry.frame.bearing.is_some()
+    }
+
     /// What the two directions of slip are called: about a bearing point, away from it and towards it; otherwise along +e_t and −e_t.
     pub(super) fn slip_names(&self) -> [&'static str; 2] {
-        if self.is_circle() && self.geometry.frame.bearing.is_some() {
+        if self.slips_about_bearing() {
             ["slip away", "slip towards"]
         } else {
             ["slip +", "slip −"]

@@ -329,7 +329,7 @@ fn columns_notes(edge: &EdgeView<'_>) -> Prose {
         include_str!("page/steps.jinja"),
         context! {
             evenly => tables::lies_evenly(edge),
-            along_edge => edge.slip_names()[0] == "slip +",
+            along_edge => !edge.slips_about_bearing(),
             circle => edge.is_circle(),
             bearing => bearing.map(|bearing| edge.extent(bearing)),
         },

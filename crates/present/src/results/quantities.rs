@@ -343,7 +343,7 @@ impl EdgeQuantity {
             (Kind::Slip, false) => "_width",
             _ => "",
         };
-        let along_edge = edge.slip_names()[0] == "slip +";
+        let along_edge = !edge.slips_about_bearing();
         let name = match self.name {
             "slip_away" if along_edge => "slip_plus",
             "slip_towards" if along_edge => "slip_minus",

@@ -344,9 +344,10 @@ fn zone_list(view: &EdgeView<'_>, ranges: Vec<[f64; 2]>) -> Vec<ContactZone> {
 }
 
 fn slip_zones(view: &EdgeView<'_>, step: usize) -> Vec<SlipZone> {
-    let [positive, negative] = match view.slip_names() {
-        ["slip +", _] => ["+", "-"],
-        _ => ["away", "towards"],
+    let [positive, negative] = if view.slips_about_bearing() {
+        ["away", "towards"]
+    } else {
+        ["+", "-"]
     };
     let direction = |status: Status| match status {
         Status::SlipPositive => Some(positive),

@@ -337,7 +337,7 @@ fn a_declared_circle_gets_its_nodes() {
     }
 }
 
-/// A known radius, in a unit of its own, is that of the circle: only its centre is fitted, and a pin that does not fit is told by which.
+/// A known radius, in a unit of its own, is that of the circle: only its centre is fitted, and a pin that does not fit is refused with both radii.
 #[test]
 fn a_known_radius_is_that_of_the_circle() {
     let (folder, strip) = with_rough_hole();

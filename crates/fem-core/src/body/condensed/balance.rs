@@ -92,7 +92,8 @@ impl CondensedBody {
     }
 
     /// Largest of the `residual` forces on unknowns that nothing holds, relative to the load: half the sum of all nodal
-    /// forces, those of a temperature on held nodes included, of `forces`, or of the load cases times `multipliers` if that is more. 0 where nothing is loaded.
+    /// forces, those of a temperature on held nodes included, of `forces`, or of the load cases times `multipliers` if that is more `[1]`. 0 where nothing is loaded.
+    /// `residual` and `forces` have two components for each node `[force]`, `multipliers` one for each load case `[1]`.
     pub fn relative_imbalance(&self, residual: &[f64], forces: &[f64], multipliers: &[f64]) -> f64 {
         relative(
             self.largest_free(residual),
