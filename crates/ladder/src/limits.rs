@@ -150,7 +150,14 @@ fn of_free_edge(
         }
     };
     let rows = results.rows.iter();
-    let largest = rows.map(EdgeRow::largest_stress).fold(0.0, f64::max);
+    let largest = rows
+        .clone()
+        .map(EdgeRow::largest_stress)
+        .fold(0.0, f64::max);
+    let along = rows.map(|row| row.sigma_tangential.abs());
+    if along.fold(0.0, f64::max) <= SMALL * largest {
+        return Missing::default();
+    }
     let peak = results
         .peak_hoop
         .filter(|peak| peak.0.abs() > SMALL * largest);

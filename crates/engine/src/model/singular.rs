@@ -136,29 +136,20 @@ impl ModelEdge {
     }
 }
 
-/// Re-entrant corners of the body with the index `body`, which its mesh has as ends of boundary edges.
+/// Re-entrant corners of the body with the index `body`, which are nodes of its mesh.
 pub(super) fn corners(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Vec<ReentrantCorner> {
     let own = &plan.bodies[body];
     let corners = own.shape.reentrant_corners();
     if corners.is_empty() {
         return Vec::new();
     }
-    let sets = mesh
-        .edge_set_names()
-        .filter_map(|name| mesh.edge_set(name).ok());
-    let ends = sets
-        .flat_map(|set| &set.edges)
-        .map(|&edge| mesh.edge_nodes(edge).ends[0]);
-    let ends: Vec<usize> = ends.collect();
     let [x, y] = own.centre;
     let nearest = |at: Point| {
         let apart = |node: usize| {
             let [u, v] = mesh.nodes()[node];
             (u - x - at[0]).hypot(v - y - at[1])
         };
-        ends.iter()
-            .copied()
-            .min_by(|&a, &b| apart(a).total_cmp(&apart(b)))
+        (0..mesh.nodes().len()).min_by(|&a, &b| apart(a).total_cmp(&apart(b)))
     };
     let corner = |(at, angle)| {
         let node = nearest(at)?;

@@ -10,6 +10,9 @@ use crate::model::{Mean, Measure, Model, ModelSet};
 use crate::results::{SetKind, SetMotion};
 use crate::series::SeriesBody;
 
+/// Part of the largest displacements of a body's sets that rounding leaves of others. What does not move has no stiffness.
+const ROUNDING: f64 = 1e-12;
+
 /// What of a body at the end of a load step its sets are found by.
 struct Moved<'a> {
     /// Index of the body.
@@ -24,45 +27,78 @@ struct Moved<'a> {
     whole: [f64; 2],
 }
 
+/// A weighted mean of displacements along a direction.
+struct MeanDisplacement {
+    /// `[mm]`
+    mean: f64,
+    /// The same of their sizes `[mm]`.
+    size: f64,
+}
+
+impl MeanDisplacement {
+    /// The mean, zero up to `least`.
+    fn beyond(&self, least: f64) -> f64 {
+        if self.mean.abs() > least {
+            self.mean
+        } else {
+            0.0
+        }
+    }
+}
+
 impl Moved<'_> {
     /// Puts the sets of the body into `sets`, those of all sets of `model` at the end of the step of `record`.
     fn put(&self, model: &Model, record: &StepRecord, sets: &mut [Option<SetMotion>]) {
-        for (own, found) in model.sets.iter().zip(sets) {
-            if own.set.body == self.body {
-                *found = Some(self.motion(record, own));
-            }
+        let own = model.sets.iter().zip(sets);
+        let own = own.filter(|(own, _)| own.set.body == self.body);
+        let mut own: Vec<_> = own
+            .map(|(own, found)| (own, found, self.mean(&own.measure)))
+            .collect();
+        let size = own.iter().filter_map(|(_, _, mean)| mean.as_ref());
+        let least = ROUNDING * size.map(|mean| mean.size).fold(0.0, f64::max);
+        for (own, found, mean) in &mut own {
+            let displacement = mean.as_ref().map_or(0.0, |mean| mean.beyond(least));
+            **found = Some(self.motion(record, own, displacement));
         }
     }
 
-    /// Weighted mean of displacements `[mm]`.
-    fn mean(&self, mean: &Mean) -> f64 {
-        match mean {
-            Mean::Nodes(nodes) => self.mean_of_nodes(nodes),
-            Mean::Places(places) => {
+    /// Mean displacement of what is loaded or on springs; `None` of what is held, which has a given one.
+    fn mean(&self, measure: &Measure) -> Option<MeanDisplacement> {
+        let parts: Vec<f64> = match measure {
+            Measure::Load {
+                mean: Mean::Places(places),
+                ..
+            } => {
                 let along = |&(place, weight)| part((self.at_place)(place), weight);
-                places.iter().map(along).sum()
+                places.iter().map(along).collect()
             }
-        }
+            Measure::Load {
+                mean: Mean::Nodes(weights),
+                ..
+            }
+            | Measure::Springs { weights, .. } => {
+                let along = |&(node, weight)| part((self.at)(node), weight);
+                weights.iter().map(along).collect()
+            }
+            Measure::Held { .. } => return None,
+        };
+        Some(MeanDisplacement {
+            mean: parts.iter().sum(),
+            size: parts.iter().copied().map(f64::abs).sum(),
+        })
     }
 
-    fn mean_of_nodes(&self, weights: &[(usize, [f64; 2])]) -> f64 {
-        let along = |&(node, weight)| part((self.at)(node), weight);
-        weights.iter().map(along).sum()
-    }
-
-    fn motion(&self, record: &StepRecord, set: &ModelSet) -> SetMotion {
+    /// The motion of `set`, whose mean displacement is `moved` where it is not given.
+    fn motion(&self, record: &StepRecord, set: &ModelSet, moved: f64) -> SetMotion {
         match &set.measure {
-            Measure::Load { mean, .. } => SetMotion {
+            Measure::Load { .. } => SetMotion {
                 force: force(set, record),
-                displacement: self.mean(mean),
+                displacement: moved,
             },
-            Measure::Springs { weights, stiffness } => {
-                let displacement = self.mean_of_nodes(weights);
-                SetMotion {
-                    force: -stiffness * displacement,
-                    displacement,
-                }
-            }
+            Measure::Springs { stiffness, .. } => SetMotion {
+                force: -stiffness * moved,
+                displacement: moved,
+            },
             Measure::Held {
                 nodes,
                 along,

@@ -148,6 +148,56 @@ on = "block.right"
     assert!(results.findings.is_empty(), "{:?}", results.findings);
 }
 
+/// In pure shear stress along the sides is rounding beside that across them, also at corners, where loads end.
+#[test]
+fn pure_shear_has_no_peak_along_its_sides() {
+    let mut sheared = String::from(
+        r#"
+[[supports]]
+on = "block.a"
+fix = ["x", "y"]
+[[supports]]
+on = "block.b"
+fix = ["y"]
+"#,
+    );
+    let along = [("top", [1, 0], 1.2), ("bottom", [-1, 0], 1.2)];
+    let across = [("right", [0, 1], 0.3), ("left", [0, -1], 0.3)];
+    for (side, [x, y], force) in along.into_iter().chain(across) {
+        let own = format!(
+            r#"
+[[loads]]
+on = "block.{side}"
+force = {{ direction = [{x}, {y}], steps = ["{force} kN"] }}
+[[edges]]
+on = "block.{side}"
+"#
+        );
+        sheared.push_str(&own);
+    }
+    let results = found(&sheared, &["analysis.accuracy=1 %"]);
+    assert!(results.findings.is_empty(), "{:?}", results.findings);
+    for edge in 0..4 {
+        assert!(
+            peak(&results, edge).0.abs() < 1e-9,
+            "{:?}",
+            peak(&results, edge)
+        );
+        assert!(peak(&results, edge).1.is_some(), "{edge}");
+    }
+    // γ = τ/G over the height, and nothing else moves.
+    let moved = |set: usize| results.set_numbers(set, 0);
+    let top = moved(0).get(SetStated::Displacement).unwrap();
+    assert!(
+        (top / (10.0 * 10.0 * 2.6 / 210e3) - 1.0).abs() < 1e-9,
+        "{top}"
+    );
+    for set in 1..4 {
+        assert_eq!(moved(set).get(SetStated::Displacement), Some(0.0));
+        assert_eq!(moved(set).get(SetStated::Secant), None);
+    }
+}
+
 /// A pressure on a part of a side jumps there, and so does the stress along it.
 #[test]
 fn where_a_pressure_ends_within_an_edge_stress_has_no_error() {
