@@ -22,6 +22,7 @@
 //!
 //! Local edge `k` runs from corner `k` to corner `k + 1`, so the cell's interior is on its left.
 
+mod boundary;
 mod check;
 mod error;
 mod parts;
@@ -140,25 +141,6 @@ impl Mesh {
             ends: local.ends.map(|k| nodes[k]),
             inner: &nodes[local.inner],
         }
-    }
-
-    /// Angle of the material around a corner node: the sum of those of its cells `[rad]`. A node inside has 2π, on a smooth boundary π; along curved edges the
-    /// directions are those to the next nodes. 0 for a node that no cell has as a corner.
-    pub fn angle_at(&self, node: usize) -> f64 {
-        let cells = (0..self.element_count()).filter_map(|element| {
-            let (kind, nodes, _) = self.element(element);
-            let corner = nodes[..kind.corners()]
-                .iter()
-                .position(|&own| own == node)?;
-            let walk = |edge: usize| self.edge_nodes(EdgeRef { element, edge }).walk();
-            let next = walk(corner).nth(1)?;
-            let before = walk((corner + kind.corners() - 1) % kind.corners()).nth_back(1)?;
-            let way =
-                |to: usize| [0, 1].map(|axis| self.nodes()[to][axis] - self.nodes()[node][axis]);
-            let ([a, b], [c, d]) = (way(next), way(before));
-            Some((a * d - b * c).atan2(a * c + b * d))
-        });
-        cells.sum()
     }
 
     /// The nodes of the set `name`.

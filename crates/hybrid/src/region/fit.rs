@@ -24,7 +24,6 @@ use stickslip_fem_core::mesh::Point;
 
 use self::modes::{Modes, place_of};
 use super::checks::{Points, measured_rows};
-use super::outline::boundary_edges;
 use super::{Region, RegionError};
 use crate::data::{Measurement, NodalDisplacements};
 use crate::reduce::neighbours::Neighbours;
@@ -131,7 +130,7 @@ impl Region {
     fn boundary_lengths(&self) -> BTreeMap<usize, f64> {
         let mesh = self.mesh();
         let mut lengths = BTreeMap::new();
-        for edge in boundary_edges(mesh) {
+        for edge in mesh.boundary_edges() {
             let nodes = mesh.edge_nodes(edge);
             let [a, b] = nodes.ends.map(|node| mesh.nodes()[node]);
             let length = (a[0] - b[0]).hypot(a[1] - b[1]);

@@ -2,33 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use stickslip_fem_core::mesh::{EdgeRef, Mesh};
+use stickslip_fem_core::mesh::Mesh;
 
 /// Turn of the boundary `[rad]` that makes a corner: between the 15° by which the edges of a coarse circle may turn and the
 /// right angles of a sector.
 const CORNER: f64 = 0.6;
 
-/// The edges of one cell only, in the order of the cells.
-pub fn boundary_edges(mesh: &Mesh) -> Vec<EdgeRef> {
-    let mut owners = BTreeMap::<[usize; 2], Option<EdgeRef>>::new();
-    for element in 0..mesh.element_count() {
-        for edge in 0..mesh.element(element).0.edges() {
-            let edge = EdgeRef { element, edge };
-            let [a, b] = mesh.edge_nodes(edge).ends;
-            owners
-                .entry([a.min(b), a.max(b)])
-                .and_modify(|owner| *owner = None)
-                .or_insert(Some(edge));
-        }
-    }
-    let mut edges: Vec<EdgeRef> = owners.into_values().flatten().collect();
-    edges.sort_unstable();
-    edges
-}
-
 /// The nodes on the boundary, ascending, inner nodes of edges included.
 pub fn boundary_nodes(mesh: &Mesh) -> Vec<usize> {
-    let edges = boundary_edges(mesh).into_iter();
+    let edges = mesh.boundary_edges().into_iter();
     let mut nodes: Vec<usize> = edges.flat_map(|edge| mesh.edge_nodes(edge).all()).collect();
     nodes.sort_unstable();
     nodes.dedup();
@@ -46,7 +28,7 @@ pub struct Chain {
 
 /// The boundary cut at its corners, where it turns by more than 0.6 rad.
 pub fn smooth_chains(mesh: &Mesh) -> Vec<Chain> {
-    let edges: Vec<Vec<usize>> = (boundary_edges(mesh).into_iter())
+    let edges: Vec<Vec<usize>> = (mesh.boundary_edges().into_iter())
         .map(|edge| mesh.edge_nodes(edge).walk().collect())
         .collect();
     let end = |k: usize| edges[k][edges[k].len() - 1];

@@ -10,7 +10,6 @@ use mshio::{ElementBlock as Elements, ElementType, MshFile, parse_msh_bytes};
 use stickslip_fem_core::mesh::{
     Curve, EdgeRef, EdgeSet, ElementBlock, ElementKind, Mesh, MeshParts, Point,
 };
-use stickslip_hybrid::region::outline::boundary_edges;
 
 use crate::error::ExperimentError;
 use stickslip_engine::model::BYTES_PER_NODE;
@@ -249,7 +248,7 @@ fn off(hole: &Hole, place: Point) -> f64 {
 /// Boundary edges with both ends on the hole.
 fn on_hole(mesh: &Mesh, hole: &Hole) -> Vec<EdgeRef> {
     let near = |node: usize| off(hole, mesh.nodes()[node]) <= ON_HOLE * hole.radius;
-    boundary_edges(mesh)
+    mesh.boundary_edges()
         .into_iter()
         .filter(|&edge| mesh.edge_nodes(edge).ends.into_iter().all(near))
         .collect()

@@ -292,6 +292,15 @@ impl Outline for GivenMesh {
         Some(&self.digest)
     }
 
+    fn reentrant_corners(&self) -> Vec<(Point, f64)> {
+        let mesh = self.mesh.iter();
+        let corners = mesh.flat_map(|mesh| {
+            let own = mesh.reentrant_corners().into_iter();
+            own.map(|(node, angle)| (mesh.nodes()[node], angle))
+        });
+        corners.collect()
+    }
+
     fn nodes_of_point(&self, name: &str) -> usize {
         let nodes = self.mesh.as_ref().map(|mesh| mesh.node_set(name));
         nodes.and_then(Result::ok).map_or(1, <[_]>::len)

@@ -251,6 +251,57 @@ fn a_mesh_that_was_written_gives_the_same_numbers() {
     }
 }
 
+const BRACKET: &str = r#"
+version = 1
+mesh.spacing = "15 deg"
+[materials.steel.isotropic]
+young = "210 GPa"
+poisson = 0.3
+[bodies.bracket]
+material = "steel"
+thickness = "3 mm"
+[[supports]]
+on = "bracket.top"
+fix = ["x", "y"]
+[[loads]]
+on = "bracket.right"
+force = { direction = [0, -1], steps = ["1 kN"] }
+[[edges]]
+on = "bracket.inner"
+[[edges]]
+on = "bracket.hole"
+[bodies.bracket.shape]
+"#;
+
+/// A mesh of a file has the corners of the outline that it was made of, and a hole of 24 chords has none.
+#[test]
+fn corners_of_meshes_from_files_have_no_limit_either() {
+    let corners = |found: &Results| -> Vec<(String, f64)> {
+        let own = found.findings.iter().filter_map(|own| match own {
+            Finding::NoLimitAtReentrantCorner { edge, angle, .. } => Some((edge.clone(), *angle)),
+            _ => None,
+        });
+        own.collect()
+    };
+    let drawn = BRACKET.to_owned()
+        + r#"outline = { start = ["0 mm", "0 mm"], edges = [{ name = "bottom", to = ["30 mm", "0 mm"] }, { name = "right", to = ["30 mm", "10 mm"] }, { name = "inner", to = ["10 mm", "10 mm"] }, { name = "back", to = ["10 mm", "30 mm"] }, { name = "top", to = ["0 mm", "30 mm"] }, { name = "left" }], holes.hole = { centre = ["5 mm", "5 mm"], radius = "2 mm" } }"#;
+    let found = solved(&drawn, &["mesh.element=T3"]);
+    let wanted = corners(&found);
+    assert_eq!(wanted.len(), 1, "{wanted:?}");
+    let mesh = found.bodies[0].mesh.as_deref().unwrap();
+    let state = stickslip_fem_core::material::PlaneState::Stress;
+    let inp = stickslip_mesh_files::write_inp(mesh, state).unwrap();
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("bracket.inp"), inp).unwrap();
+    let given = BRACKET.replace("mesh.spacing = \"15 deg\"\n", "")
+        + r#"mesh = { file = "bracket.inp", unit = "mm" }"#;
+    let read = run(&read(&given, folder.path()).unwrap(), &mut |_| {}).unwrap();
+    let own = corners(&read);
+    assert_eq!(own.len(), 1, "{own:?}");
+    assert_eq!(own[0].0, wanted[0].0);
+    assert!((own[0].1 - wanted[0].1).abs() < 1e-6, "{own:?} {wanted:?}");
+}
+
 /// A pulled strip on a pin, guided at its end because the best circle is not quite where the pull goes through.
 fn guided(shape: &str) -> String {
     pinned(shape).replace(
