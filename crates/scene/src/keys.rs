@@ -10,8 +10,7 @@
 //! A new key is a field of a table and a row of its `TABLES`, both in the table's file below `schema`, where its value becomes a number. Shapes bring their own rows.
 //!
 //! A key of meshes is one row for `mesh` and `bodies.NAME.mesh`. Beside its field and its row it needs what makes it part of a mesh: the
-//! compiler asks for it where a body's settings are made of its own and the scene's (`build/mesh.rs`) and where a mesh is made coarser
-//! (`schema/mesh.rs`), and the shapes that use it name it in [`mesh_keys`](crate::shape::Outline::mesh_keys); of others it is refused.
+//! compiler asks for it in the same file, where a body's settings are made of its own and the scene's and where a mesh is made coarser; the shapes that use it name it in [`mesh_keys`](crate::shape::Outline::mesh_keys); of others it is refused.
 
 mod document;
 #[cfg(test)]

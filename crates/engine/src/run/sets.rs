@@ -57,8 +57,12 @@ impl Moved<'_> {
         let size = own.iter().filter_map(|(_, _, mean)| mean.as_ref());
         let least = ROUNDING * size.map(|mean| mean.size).fold(0.0, f64::max);
         for (own, found, mean) in &mut own {
-            let displacement = mean.as_ref().map_or(0.0, |mean| mean.beyond(least));
-            **found = Some(self.motion(record, own, displacement));
+            // Stiff springs carry forces by displacements that are small beside others.
+            let moved = match (&own.measure, mean) {
+                (Measure::Springs { .. }, Some(mean)) => mean.mean,
+                (_, mean) => mean.as_ref().map_or(0.0, |mean| mean.beyond(least)),
+            };
+            **found = Some(self.motion(record, own, moved));
         }
     }
 

@@ -154,12 +154,8 @@ fn curves(mesh: &Mesh, next: &mut usize) -> Level {
     level(sets.collect(), |edge| {
         let nodes: Vec<usize> = mesh.edge_nodes(edge).all().collect();
         Element {
-            // Lines with three, four, five and six nodes have the types 8 and 26 to 28.
-            kind: match nodes.len() {
-                2 => 1,
-                3 => 8,
-                count => 22 + count as u64,
-            },
+            // Cells of higher order were refused above.
+            kind: if nodes.len() == 2 { 1 } else { 8 },
             nodes,
             number: count(next),
         }

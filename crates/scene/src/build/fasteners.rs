@@ -40,7 +40,7 @@ impl Builder<'_> {
             let found: Option<Vec<Slice<'_>>> = (slices.iter().enumerate())
                 .map(|(index, body)| self.slice(&format!("{table}.slices.{index}"), body, beside))
                 .collect();
-            let Some(found) = found else {
+            let Some(found) = found.filter(|found| !found.is_empty()) else {
                 continue;
             };
             self.is_straight(&table, &found);
@@ -88,11 +88,14 @@ impl Builder<'_> {
     }
 
     fn slices_are_single(&mut self, table: &str, slices: &[String], others: &[Fastener]) {
-        if slices.len() == 1 {
-            let message = format!("the fastener has the single slice '{}'", slices[0]);
+        if let [] | [_] = slices {
+            let message = match slices {
+                [only] => format!("the fastener has the single slice '{only}'"),
+                _ => "the fastener has no slices".to_owned(),
+            };
+            let pin = slices.first().map_or("pin", String::as_str);
             let remedy = format!(
-                "name a disk in each of its plates, or hold the pin itself: [[supports]] on = \"{}.section\", fix = [\"x\", \"y\"]",
-                slices[0]
+                "name a disk in each of its plates, or hold the pin itself: [[supports]] on = \"{pin}.section\", fix = [\"x\", \"y\"]"
             );
             self.conflict(&child(table, "slices"), message, remedy);
         }

@@ -108,10 +108,15 @@ impl FailureFormat {
             criteria,
             bodies,
             clear_of_supports: clear_of_supports.as_ref().map(Quantity::value),
-            characteristic: characteristic.map(|own| Characteristic {
-                tension: own.tension.value(),
-                compression: own.compression.value(),
-            }),
+            characteristic: characteristic.map(
+                |CharacteristicFormat {
+                     tension,
+                     compression,
+                 }| Characteristic {
+                    tension: tension.value(),
+                    compression: compression.value(),
+                },
+            ),
             envelopes,
             progressive,
         }

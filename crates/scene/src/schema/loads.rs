@@ -128,9 +128,17 @@ pub(crate) struct LoadFormat {
 impl LoadFormat {
     /// The load that stands at `index` of its list.
     pub(crate) fn load(&self, index: usize, kind: LoadKind) -> Load {
-        let name = self.name.clone();
+        let Self {
+            name,
+            on: _,
+            force: _,
+            bearing: _,
+            pressure: _,
+            polar_traction: _,
+            temperature: _,
+        } = self;
         Load {
-            name: name.unwrap_or_else(|| format!("load{}", index + 1)),
+            name: name.clone().unwrap_or_else(|| format!("load{}", index + 1)),
             kind,
         }
     }

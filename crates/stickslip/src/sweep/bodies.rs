@@ -6,7 +6,7 @@ use stickslip_engine::model::obstacle_to_half;
 use stickslip_scene::Scene;
 use stickslip_scene::digest::sha256;
 use stickslip_scene::placement::middle;
-use stickslip_scene::schema::{Analysis, Body, LoadKind, Material, Shape, SolverChoice, Substance};
+use stickslip_scene::schema::{Analysis, Body, LoadKind, Shape, SolverChoice, Substance};
 use stickslip_scene::shape::Disk;
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
@@ -109,13 +109,14 @@ pub(super) fn model_key(scene: &Scene) -> String {
     // A law that does not mirror needs a whole model where another law needs half of it. Writing into a string does not fail.
     let _ = write!(text, "{:?}", obstacle_to_half(scene));
     for (name, body) in &scene.bodies {
-        let angle = match &body.substance {
+        let other = match &body.substance {
             Substance::Elastic { material, .. } => {
-                scene.materials.get(material).map(Material::angle)
+                let own = scene.materials.get(material);
+                own.map(|own| (own.angle(), own.yield_stress()))
             }
             Substance::Rigid => None,
         };
-        let _ = write!(text, "\n{name} {body:?} {angle:?} {:?}", key(scene, name));
+        let _ = write!(text, "\n{name} {body:?} {other:?} {:?}", key(scene, name));
         for load in &scene.loads {
             let _ = write!(text, " {}", acting(&load.kind, name));
         }

@@ -348,6 +348,7 @@ fn what_makes_no_fastener_is_refused() {
     };
     for (from, to, part) in [
         ("[\"one\", \"two\"]", "[\"one\"]", "the single slice 'one'"),
+        ("[\"one\", \"two\"]", "[]", "the fastener has no slices"),
         ("[\"one\", \"two\"]", "[\"one\", \"one\"]", "named twice"),
         (
             "[\"one\", \"two\"]",

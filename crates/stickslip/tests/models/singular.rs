@@ -198,6 +198,29 @@ on = "block.{side}"
     }
 }
 
+/// A spring that is much stiffer than its body carries its load by a displacement that is rounding beside others.
+#[test]
+fn stiff_springs_carry_their_load() {
+    let stiff = r#"
+[[supports]]
+on = "block.left"
+normal = "0 deg"
+stiffness = "1e16 N/mm"
+[[supports]]
+on = "block.a"
+fix = ["y"]
+[[loads]]
+on = "block.right"
+force = { direction = [1, 0], steps = ["100 N"] }
+"#;
+    let results = found(stiff, &["mesh.spacing=\"2.5 mm\""]);
+    let sets = 0..results.steps[0].sets.len();
+    let forces = sets.filter_map(|set| results.set_numbers(set, 0).get(SetStated::Force));
+    let forces: Vec<f64> = forces.collect();
+    let is_carried = |force: &&f64| (force.abs() - 100.0).abs() < 1.0;
+    assert_eq!(forces.iter().filter(is_carried).count(), 2, "{forces:?}");
+}
+
 /// A pressure on a part of a side jumps there, and so does the stress along it.
 #[test]
 fn where_a_pressure_ends_within_an_edge_stress_has_no_error() {
