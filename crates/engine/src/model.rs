@@ -164,6 +164,7 @@ impl Model {
                 sheared,
                 corners: (meshes.get(&index))
                     .map_or_else(Vec::new, |mesh| singular::corners(&plan, index, mesh)),
+                is_general: own.shape.is_general(),
                 yield_stress: own.elastic.and_then(|own| own.material.yield_stress()),
                 kind: loads::body(&plan, index, &meshes, &materials, half, &points)?,
                 interface,

@@ -155,9 +155,7 @@ fn of_free_edge(
         .map(EdgeRow::largest_stress)
         .fold(0.0, f64::max);
     let along = rows.map(|row| row.sigma_tangential.abs());
-    if along.fold(0.0, f64::max) <= SMALL * largest {
-        return Missing::default();
-    }
+    let is_small = along.fold(0.0, f64::max) <= SMALL * largest;
     let peak = results
         .peak_hoop
         .filter(|peak| peak.0.abs() > SMALL * largest);
@@ -165,7 +163,7 @@ fn of_free_edge(
         || (own.corner_at_peak((&body.singular, &body.corners), results)).map(|_| Cause::Corner);
     Missing {
         hoop: peak.and_then(|(_, place)| at(place).or_else(corner)),
-        bearing: at(geometry.reference(results.bearing, -model.origin[0])),
+        bearing: at(geometry.reference(results.bearing, -model.origin[0])).filter(|_| !is_small),
         end: (own.largest_end(&body.singular, results))
             .filter(|end| peak.is_some_and(|(peak, _)| *end > GROWS * peak)),
         pressure: false,

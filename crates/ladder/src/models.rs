@@ -418,12 +418,7 @@ fn each_mesh(scene: &mut Scene, change: fn(&MeshSettings) -> MeshSettings) {
 /// By how much what a division of `model` leaves of displacements exceeds what it changed last.
 pub(super) fn slowness(model: &Model) -> f64 {
     let own = model.bodies.iter().map(|body| {
-        let elastic = body.elastic().filter(|_| body.series.is_none());
-        // Triangles have any shape, with corners anywhere.
-        let is_general = elastic.is_some_and(|own| {
-            let mut cells = own.mesh().blocks().iter();
-            cells.any(|block| block.kind.corners() == 3)
-        });
+        let is_general = body.is_general && body.series.is_none();
         match (is_general, body.corners.is_empty()) {
             (false, _) => 1.0,
             (true, false) => SLOW[0],

@@ -29,6 +29,8 @@ pub struct ModelBody {
     pub sheared: Vec<(usize, Option<usize>)>,
     /// Its re-entrant corners, towards which stress has no limit either.
     pub corners: Vec<ReentrantCorner>,
+    /// Whether its shape is one of triangles with corners anywhere.
+    pub is_general: bool,
     /// Von Mises stress at which its material yields `[MPa]`, where the scene gives one.
     pub yield_stress: Option<f64>,
     /// Its operator where it is a series, ready; its mesh is then the places where fields are shown.

@@ -136,20 +136,23 @@ impl ModelEdge {
     }
 }
 
-/// Re-entrant corners of the body with the index `body`, which are nodes of its mesh.
+/// Re-entrant corners of the body with the index `body`, at nodes on the boundary of its mesh.
 pub(super) fn corners(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Vec<ReentrantCorner> {
     let own = &plan.bodies[body];
     let corners = own.shape.reentrant_corners();
     if corners.is_empty() {
         return Vec::new();
     }
+    let boundary = mesh.boundary_edges().into_iter();
+    let ends: Vec<usize> = boundary.map(|edge| mesh.edge_nodes(edge).ends[0]).collect();
     let [x, y] = own.centre;
     let nearest = |at: Point| {
         let apart = |node: usize| {
             let [u, v] = mesh.nodes()[node];
             (u - x - at[0]).hypot(v - y - at[1])
         };
-        (0..mesh.nodes().len()).min_by(|&a, &b| apart(a).total_cmp(&apart(b)))
+        let ends = ends.iter().copied();
+        ends.min_by(|&a, &b| apart(a).total_cmp(&apart(b)))
     };
     let corner = |(at, angle)| {
         let node = nearest(at)?;

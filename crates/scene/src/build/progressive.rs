@@ -336,6 +336,24 @@ impl Builder<'_> {
             let message = format!("the platen on {on} would be free across the drive");
             self.conflict(key, message, "free it along the driven axis alone");
         }
+        let body = self.bodies.get(&on.body);
+        let is_area = body.is_some_and(|body| body.shape.is_area(&on.set));
+        let holds = |support: &&Support| {
+            let directions = support.hold.directions();
+            let along = |[x, y]: &[f64; 2]| match axis {
+                Axis::X => *x != 0.0,
+                Axis::Y => *y != 0.0,
+            };
+            let is_other = support.on.body == on.body && support.on != *on;
+            is_area && is_other && directions.iter().any(along)
+        };
+        if let Some(support) = around.supports.iter().find(holds) {
+            let message = format!(
+                "a drive of {on} moves all of '{}', which the support on {} holds",
+                on.body, support.on
+            );
+            self.conflict(key, message, "remove that support, or drive an edge");
+        }
         let skew =
             |support: &&Support| support.on == *on && matches!(support.hold, Hold::Direction(_));
         if around.supports.iter().any(|support| skew(&support)) {

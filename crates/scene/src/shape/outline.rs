@@ -72,7 +72,8 @@ pub trait Outline: fmt::Debug {
         None
     }
 
-    /// Corners at which the body reaches over more than 180.5°, each with its inner angle `[rad]`, in the coordinates of the shape.
+    /// Corners at which the body reaches over more than a half turn (of an outline more than 180.5°, of a mesh what its chords do not explain), each with its inner
+    /// angle `[rad]`, in the coordinates of the shape.
     fn reentrant_corners(&self) -> Vec<(Point, f64)> {
         Vec::new()
     }
@@ -100,6 +101,12 @@ pub trait Outline: fmt::Debug {
     /// Whether it brings a mesh that no setting divides.
     fn has_own_mesh(&self) -> bool {
         self.mesh_keys().is_empty()
+    }
+
+    /// Whether it is divided into triangles whatever cells are asked for, which have any shape and corners anywhere.
+    fn is_general(&self) -> bool {
+        let cells = self.cells(ElementKind::Q8);
+        !self.has_own_mesh() && cells.is_some_and(|kind| kind.corners() == 3)
     }
 
     /// Whether one length says all of its size, so that its plane compliance is that of any other size.

@@ -190,3 +190,22 @@ fn loads_beside_a_drive_are_refused_beside_other_errors() {
     );
     assert!(found[1].1.contains("load 'load2'"), "{found:?}");
 }
+
+#[test]
+fn a_drive_of_a_section_that_another_support_holds_is_refused() {
+    let drive =
+        format!("{PROGRESSIVE}control.displacement = {{ on = \"pin.section\", end = \"1 mm\" }}\n");
+    let held = "[[supports]]\non = \"plate.left\"\nfix = [\"x\", \"y\"]\n";
+    let load =
+        "[[loads]]\non = \"plate.left\"\nforce = { direction = [-1, 0], steps = [\"1 kN\"] }\n";
+    let found = findings(&drive, &[(load, held)]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(found[0].0, "failure.progressive.control.displacement.on");
+    assert!(found[0].1.contains("pin.centre"), "{found:?}");
+    // Across the drive it may be held.
+    let across = format!("{JOINT}{drive}").replace(load, held).replace(
+        "on = \"pin.centre\"\nfix = [\"x\", \"y\"]",
+        "on = \"pin.centre\"\nfix = [\"y\"]",
+    );
+    assert!(read(&across).is_ok());
+}

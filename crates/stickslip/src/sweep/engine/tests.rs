@@ -104,6 +104,10 @@ fn agrees(axes: &str, overrides: &[&str], condensed: usize) {
                 sweep.name_of(case)
             );
         }
+        let yields = |results: &Results| -> Vec<Option<f64>> {
+            results.bodies.iter().map(|own| own.yield_stress).collect()
+        };
+        assert_eq!(yields(&reused), yields(&alone), "{}", sweep.name_of(case));
         assert!(!failures(&alone).is_empty());
         let difference = apart(&failures(&reused), &failures(&alone));
         assert!(
@@ -141,6 +145,18 @@ fn a_pin_that_is_loaded_is_condensed_for_each_size() {
     ];
     // The plate, and the pin of three sizes.
     agrees(AXES, &loaded, 4);
+}
+
+#[test]
+fn a_yield_stress_is_that_of_its_case() {
+    let axes = r#"
+version = 1
+scene = "joint.toml"
+[[axes]]
+key = "materials.aluminium.isotropic.yield"
+values = ["100 MPa", "900 MPa"]
+"#;
+    agrees(axes, &["mesh.spacing=6 deg"], 2);
 }
 
 #[test]
