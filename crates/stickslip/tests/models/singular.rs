@@ -205,7 +205,7 @@ fn stiff_springs_carry_their_load() {
 [[supports]]
 on = "block.left"
 normal = "0 deg"
-stiffness = "1e16 N/mm"
+stiffness = "1e18 N/mm"
 [[supports]]
 on = "block.a"
 fix = ["y"]
