@@ -189,19 +189,20 @@ impl LoadHistory {
             .collect())
     }
 
-    /// Walks the history with each load step on its own nodes `thinned`, chosen among those of `whole`, one record of all points for each step; the records on the
-    /// chosen nodes are for [`thinned_otherwise`](Self::thinned_otherwise). `observe` is called as soon as a step is accepted.
+    /// Walks the history with each load step on its own nodes `thinned`, chosen among those of `wholes`, one for each step, one record of all points for each step; the records on the
+    /// chosen nodes are for [`thinned_otherwise`](Self::thinned_otherwise). The second edges of deformed gaps may have their nodes at other places from step to step. `observe` is called as soon
+    /// as a step is accepted.
     ///
     /// # Errors
     /// As [`follow_parts`](Self::follow_parts), and [`ContactError::InvalidLoad`] if steps and choices of nodes differ in number.
     pub fn follow_thinned(
         &self,
-        whole: &Whole<'_>,
+        wholes: &[Whole<'_>],
         thinned: &[Thinned],
         solver: &dyn InterfaceSolver,
         mut observe: impl FnMut(),
     ) -> Result<Thin, ContactError> {
-        let stages = Stages::thinned(whole, thinned, self.steps.len())?;
+        let stages = Stages::thinned(wholes, thinned, self.steps.len())?;
         let steps = self.follow_all(&stages, solver, |_| observe());
         let interface = |step: usize| thinned[step].interface();
         let steps = steps.map_err(|ended| interface(ended.step).ended(ended.part, *ended.error))?;
@@ -209,10 +210,10 @@ impl LoadHistory {
         let own: Vec<StepRecord> = merged
             .map(|(step, records)| interface(step).merged(records))
             .collect();
-        let all = own.iter().zip(thinned);
+        let all = own.iter().zip(wholes).zip(thinned);
         Ok(Thin {
             all: all
-                .map(|(own, thinned)| Carry { whole, thinned }.expand(own).0)
+                .map(|((own, whole), thinned)| Carry { whole, thinned }.expand(own).0)
                 .collect(),
             own,
         })

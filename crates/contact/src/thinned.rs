@@ -33,7 +33,7 @@ pub struct Whole<'a> {
     pub(crate) bodies: Vec<&'a dyn InterfaceOperator>,
     pub(crate) interface: &'a Interface,
     edges: Vec<EdgeNodes>,
-    facings: Vec<&'a Facing>,
+    pub(crate) facings: Vec<&'a Facing>,
     /// Gaps of all points between the undeformed edges, where gaps follow the displacement.
     gaps: Vec<f64>,
 }

@@ -14,6 +14,7 @@ mod points;
 mod progressive;
 mod remarks;
 mod reported;
+mod seated;
 pub mod seats;
 mod sets;
 mod shown;
@@ -32,6 +33,7 @@ pub use assembled::{Assembled, condense};
 pub use error::{ProgressiveRunError, RunError};
 pub use follow::{Progress, follow};
 pub use points::numbers_with_errors;
+pub use seated::Seated;
 pub use solved::{Operator, OwnNodes, Solved};
 pub use stresses::{is_beside, is_unlimited};
 pub use thinned::follow_thinned;
@@ -126,16 +128,16 @@ fn otherwise(
     let kinematics = model.kinematics(&faces)?;
     let (interface, records) = (&solved.interface, &solved.records);
     if let Some(own) = &solved.own {
-        return match thinned::whole(model, &faces, &kinematics, interface) {
-            Some(whole) => Ok((model.history).thinned_otherwise(
-                &whole,
-                &own.thinned,
-                solver,
-                &own.records,
-            )?),
-            // Steps have nodes of their own only where this is known.
-            None => Ok(Vec::new()),
-        };
+        let (thinned, records) = (&own.thinned, &own.records);
+        let found = thinned::with_wholes(
+            model,
+            (&faces, &kinematics),
+            interface,
+            &own.seated,
+            |wholes| (model.history).thinned_otherwise(wholes, thinned, solver, records),
+        );
+        // Steps have nodes of their own only where contact points are nodes.
+        return Ok(found?.transpose()?.unwrap_or_default());
     }
     Ok((model.history).walked_otherwise(interface, &kinematics, solver, records))
 }

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_scene::Scene;
@@ -15,7 +16,7 @@ use super::grading::{Domain, Grading};
 use super::level::{Level, described, numbers};
 use super::thinning;
 use stickslip_engine::model::{Model, Seat};
-use stickslip_engine::run::{Assembled, Progress, RunError, follow, follow_thinned, seats};
+use stickslip_engine::run::{Assembled, Progress, RunError, Seated, follow, follow_thinned, seats};
 
 /// Nodes on half of a contact circle less one, of the coarsest model by series.
 const INTERVALS: usize = 30;
@@ -64,6 +65,8 @@ struct Made {
     seats: Vec<Option<Seat>>,
     model: Model,
     assembled: Assembled,
+    /// The bodies of load steps in which they sit otherwise than in the model.
+    seated: Vec<Option<Arc<Seated>>>,
     seconds: f64,
 }
 
@@ -78,6 +81,8 @@ pub(super) struct Models<'a> {
     graded: BTreeMap<usize, Graded>,
     /// How bodies sit in their holes in the models that follow.
     seats: Vec<Option<Seat>>,
+    /// The same in every load step, of bodies by series.
+    step_seats: Vec<Vec<Option<Seat>>>,
     /// What was made last.
     made: Option<Made>,
     /// On which geometry contact is found.
@@ -113,6 +118,7 @@ impl<'a> Models<'a> {
             of_lines,
             graded: BTreeMap::new(),
             seats: Vec::new(),
+            step_seats: Vec::new(),
             made: None,
             kinematics,
             until: None,
@@ -182,6 +188,7 @@ impl<'a> Models<'a> {
                     *seat = None;
                 }
             }
+            self.step_seats = seats::of_steps(&level.model, &level.solved, &self.seats);
             let mut edges = level.numbers.geometries.iter();
             let Some(domain) = edges.find(|edge| edge.contact).map(Domain::of) else {
                 return;
@@ -234,7 +241,7 @@ impl<'a> Models<'a> {
         let made = self.made(&scene, rung, progress)?;
         let (mut model, making) = (made.model.with_laws_and_history(&scene)?, made.seconds);
         model.divide_history(substeps)?;
-        let assembled = made.assembled.clone();
+        let (assembled, seated) = (made.assembled.clone(), made.seated.clone());
         let ready = host.seconds();
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         let chosen = graded.and_then(|graded| thinning::chosen(&model, &graded.grading));
@@ -243,7 +250,7 @@ impl<'a> Models<'a> {
             .map(|until| Limited::new(self.solver, host, until));
         let solver = (limited.as_ref()).map_or(self.solver, |own| own as &dyn InterfaceSolver);
         let followed = match &chosen {
-            Some(chosen) => follow_thinned(&model, assembled, solver, chosen, progress),
+            Some(chosen) => follow_thinned(&model, assembled, solver, (chosen, &seated), progress),
             None => follow(
                 &model,
                 assembled.operators,
@@ -286,7 +293,9 @@ impl<'a> Models<'a> {
             Some(made) if self.is_graded() || made.seats == seats => {
                 let model = Model::build_on(scene, Some(&made.model), &self.seats)?;
                 let assembled = made.assembled.with_series_of(&model)?;
+                let steps = (&*self.step_seats, &*seats);
                 Made {
+                    seated: Seated::of_steps(scene, &model, &assembled, steps)?,
                     kinematics,
                     seats,
                     model,
@@ -297,10 +306,12 @@ impl<'a> Models<'a> {
             _ => {
                 let model = Model::build_on(scene, None, &self.seats)?;
                 let assembled = Assembled::of(&model, progress)?;
+                let steps = (&*self.step_seats, &*seats);
                 Made {
                     rung,
                     graded,
                     kinematics,
+                    seated: Seated::of_steps(scene, &model, &assembled, steps)?,
                     seats,
                     model,
                     assembled,

@@ -24,13 +24,13 @@ pub(super) fn between_nodes(
     steps: &mut [Vec<EdgeResults>],
 ) -> Vec<Vec<Errors>> {
     let nodes = own.iter().zip(rows);
-    let each = solved.records.iter().zip(nodes).zip(steps);
-    let each = each.map(|((record, (own, rows)), step)| {
+    let each = solved.records.iter().zip(nodes).zip(steps).enumerate();
+    let each = each.map(|(index, ((record, (own, rows)), step))| {
         let all = model.edges.iter().zip(geometries);
         let edges = all.zip(own).zip(rows).zip(step);
         edges
             .map(|((((edge, all), geometry), rows), results)| {
-                if finds_no_cusp(model, solved, record, (edge, all), (rows, results)) {
+                if finds_no_cusp(model, solved, index, (edge, all), (rows, results)) {
                     return Errors::default();
                 }
                 let of = (edge, geometry, rows.as_slice());
@@ -47,12 +47,13 @@ pub(super) fn between_nodes(
 fn finds_no_cusp(
     model: &Model,
     solved: &Solved,
-    record: &StepRecord,
+    step: usize,
     (edge, geometry): (&ModelEdge, &EdgeGeometry),
     (rows, results): (&[usize], &EdgeResults),
 ) -> bool {
-    let pair = edge.pair.filter(|_| record.contacts.is_some());
-    let faced = pair.and_then(|pair| Faced::of(model, solved, record, (pair, geometry)));
+    let is_deformed = solved.records[step].contacts.is_some();
+    let pair = edge.pair.filter(|_| is_deformed);
+    let faced = pair.and_then(|pair| Faced::of(model, solved, step, (pair, geometry)));
     let touches = |row: usize| results.rows[row].status.touches();
     faced.is_some_and(|faced| faced.apart(rows, touches).is_some())
 }

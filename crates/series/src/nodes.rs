@@ -10,6 +10,7 @@
 
 mod element;
 mod parts;
+mod spread;
 
 pub(crate) use element::{Element, Knot};
 use std::f64::consts::{PI, TAU};

@@ -239,6 +239,38 @@ impl Curve {
         None
     }
 
+    /// The displacement at the parameter `s`, within its ends, where its nodes are displaced by `moved`: cubic between neighbours, with their derivatives.
+    pub(crate) fn displacement(&self, moved: &[Point], s: f64) -> Point {
+        let count = self.parameter.len();
+        let first = self.parameter[0];
+        let at = self
+            .period()
+            .map_or(s, |period| first + (s - first).rem_euclid(period));
+        let after = self.parameter.partition_point(|own| *own <= at);
+        let (from, to) = match (after, self.period()) {
+            (after, _) if after < count => (after.saturating_sub(1), after.max(1)),
+            (_, Some(_)) => (count - 1, 0),
+            (_, None) => (count - 2, count - 1),
+        };
+        let apart = self.parameter[to] - self.parameter[from];
+        let width = self
+            .period()
+            .map_or(apart, |period| apart.rem_euclid(period));
+        let x = (at - self.parameter[from]) / width;
+        let slope = |position: usize, i: usize| -> f64 {
+            let terms = self.slopes[position].iter();
+            width
+                * terms
+                    .map(|&(node, weight)| weight * moved[node][i])
+                    .sum::<f64>()
+        };
+        [0, 1].map(|i| {
+            let [a, b] = [from, to].map(|position| moved[position][i]);
+            let [rise, fall] = [slope(from, i) - (b - a), (b - a) - slope(to, i)];
+            a + x * (b - a) + x * (1.0 - x) * ((1.0 - x) * rise + x * fall)
+        })
+    }
+
     /// Second derivative of the displacements `moved` at the node `position`.
     pub(super) fn bend(&self, moved: &[Point], position: usize) -> Point {
         let mut bend = [0.0; 2];

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{DVector, Vector2};
 use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::mesh::Point;
 use stickslip_friction::History;
 
 use super::record::StepRecord;
@@ -163,6 +164,28 @@ impl Carry<'_> {
             }
         }
         Contacts::new(pairs, &self.whole.bodies)
+    }
+
+    /// The displacements `moved` of all points of each body, as its nodes stand in `before`, where they stand here.
+    pub(super) fn seated(&self, before: &Whole<'_>, moved: &mut [DVector<f64>]) {
+        let pairs = self.whole.interface.contacts().pairs();
+        let facings = before.facings.iter().zip(&self.whole.facings);
+        for (pair, (from, to)) in pairs.iter().zip(facings) {
+            let (from, to) = (&from.second, &to.second);
+            if from.places() == to.places() {
+                continue;
+            }
+            let body = &mut moved[pair.second];
+            let nodes = from.nodes();
+            let known: Vec<Point> = nodes
+                .iter()
+                .map(|&node| [body[2 * node], body[2 * node + 1]])
+                .collect();
+            for (&node, &place) in nodes.iter().zip(to.places()) {
+                let [x, y] = from.displacement(&known, place);
+                (body[2 * node], body[2 * node + 1]) = (x, y);
+            }
+        }
     }
 
     /// The start of a step on the chosen points from the end of `before`, a record of all points where bodies are displaced by `moved`; one of each part of the interface.

@@ -50,12 +50,12 @@ impl LoadHistory {
     /// As [`follow_thinned`](Self::follow_thinned), of nodes that do not fit.
     pub fn thinned_otherwise(
         &self,
-        whole: &Whole<'_>,
+        wholes: &[Whole<'_>],
         thinned: &[Thinned],
         solver: &dyn InterfaceSolver,
         records: &[StepRecord],
     ) -> Result<Vec<Otherwise>, ContactError> {
-        let stages = Stages::thinned(whole, thinned, self.steps.len())?;
+        let stages = Stages::thinned(wholes, thinned, self.steps.len())?;
         Ok(self.all_otherwise(&stages, solver, records))
     }
 

@@ -22,7 +22,7 @@ pub struct Thin {
 pub(super) struct Stages<'a> {
     /// Of all steps, or of each.
     courses: Vec<Vec<Course<'a>>>,
-    thinned: Option<(&'a Whole<'a>, &'a [Thinned])>,
+    thinned: Option<(&'a [Whole<'a>], &'a [Thinned])>,
 }
 
 impl<'a> Stages<'a> {
@@ -34,16 +34,20 @@ impl<'a> Stages<'a> {
         }
     }
 
-    /// Those of `thinned`, one for each of `steps` load steps.
+    /// Those of `thinned`, one for each of `steps` load steps, chosen among the nodes of `wholes`.
     pub(super) fn thinned(
-        whole: &'a Whole<'a>,
+        wholes: &'a [Whole<'a>],
         thinned: &'a [Thinned],
         steps: usize,
     ) -> Result<Self, ContactError> {
-        if thinned.len() != steps {
-            let step = steps.min(thinned.len());
-            let what = format!("{} choices of nodes for {steps} steps", thinned.len());
-            return Err(ContactError::InvalidLoad { step, what });
+        for count in [wholes.len(), thinned.len()] {
+            if count != steps {
+                let what = format!("{count} choices of nodes for {steps} steps");
+                return Err(ContactError::InvalidLoad {
+                    step: steps.min(count),
+                    what,
+                });
+            }
         }
         let courses = |own: &'a Thinned| -> Result<Vec<Course<'a>>, ContactError> {
             let kinematics: Kinematics<'a> = own.kinematics()?;
@@ -51,7 +55,7 @@ impl<'a> Stages<'a> {
         };
         Ok(Self {
             courses: thinned.iter().map(courses).collect::<Result<_, _>>()?,
-            thinned: Some((whole, thinned)),
+            thinned: Some((wholes, thinned)),
         })
     }
 
@@ -86,13 +90,14 @@ impl<'a> Stages<'a> {
                 self.courses(step).iter().map(unloaded).collect()
             }
             (None, Some(last)) => last.iter().map(StepRecord::at_its_end).collect(),
-            (Some((whole, thinned)), Some(last)) => {
+            (Some((wholes, thinned)), Some(last)) => {
                 let [before, own] = [step - 1, step].map(|step| Carry {
-                    whole,
+                    whole: &wholes[step],
                     thinned: &thinned[step],
                 });
                 let merged = before.thinned.interface().merged(last.to_vec());
-                let (record, moved) = before.expand(&merged);
+                let (record, mut moved) = before.expand(&merged);
+                own.seated(before.whole, &mut moved);
                 own.start(&record, &moved)
             }
         }

@@ -83,6 +83,13 @@ impl Seat {
         shifts.fold(0.0, |most: f64, shift| most.max(shift.abs()))
     }
 
+    /// The largest angle `[rad]` between places of the body that face one of the hole in the two.
+    pub fn apart(&self, other: &Self) -> f64 {
+        let own = self.angles.iter().zip(&self.shifts);
+        own.map(|(angle, shift)| (angle + shift - other.facing(*angle)).abs())
+            .fold(0.0, f64::max)
+    }
+
     /// The angle of the body that faces `angle` of the hole.
     pub(super) fn facing(&self, angle: f64) -> f64 {
         let (count, first) = (self.angles.len(), self.angles[0]);

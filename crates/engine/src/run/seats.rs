@@ -6,7 +6,6 @@
 
 use std::f64::consts::TAU;
 
-use stickslip_contact::StepRecord;
 use stickslip_contact::deformed::is_free_to_turn;
 
 use super::solved::Solved;
@@ -27,11 +26,11 @@ pub struct Faced {
 }
 
 impl Faced {
-    /// The circles of the pair with the index `pair` and the edge `geometry` in the step of `record`; `None` for other contacts.
+    /// The circles of the pair with the index `pair` and the edge `geometry` in the load step with the index `step`; `None` for other contacts.
     pub fn of(
         model: &Model,
         solved: &Solved,
-        record: &StepRecord,
+        step: usize,
         (pair, geometry): (usize, &EdgeGeometry),
     ) -> Option<Self> {
         let EdgeKind::Circle { centre, radius } = geometry.kind else {
@@ -39,7 +38,9 @@ impl Faced {
         };
         // Displacements of a rigid body bend nowhere.
         model.bodies[model.pairs[pair].second].elastic()?;
-        let edges = model.facings.get(pair);
+        let own = solved.seated(step).map(|seated| &seated.facings);
+        let edges = own.unwrap_or(&model.facings).get(pair);
+        let state = &solved.records[step].state;
         let first: Vec<f64> = match edges {
             Some(edges) => {
                 let angle = |([x, y], node): (&[f64; 2], &f64)| {
@@ -59,7 +60,7 @@ impl Faced {
         let ModelContact {
             clearance, start, ..
         } = model.contacts[pair];
-        let moved = |k: usize| record.state.tangential_displacement(first_point + k);
+        let moved = |k: usize| state.tangential_displacement(first_point + k);
         let bodies = [&model.pairs[pair].first, &model.pairs[pair].second];
         let turns = bodies.map(|&body| is_free_to_turn(solved.operators[body].interface()));
         // A circle that turns about its centre faces what it faced.
@@ -120,22 +121,47 @@ fn apart(to: f64, from: f64) -> f64 {
 
 /// How the second bodies of contacts sit in the step with the largest contact force, of those that can be seated: bodies by series, and half ones of elements, that touch along one edge alone.
 pub fn seats(model: &Model, solved: &Solved) -> Vec<Option<Seat>> {
-    let seat = |pair: usize| {
-        let own = &model.pairs[pair];
-        let touches = |body| {
-            (model.pairs.iter()).filter(move |other| other.first == body || other.second == body)
-        };
-        let is_series = model.bodies[own.second].series.is_some();
-        if touches(own.second).count() > 1 || !(is_series || model.half) {
-            return None;
-        }
-        let geometry = &model.edge_of(pair)?.geometry;
-        let force = |record: &StepRecord| record.audit.pairs[pair].normal;
-        let records = solved.records.iter();
-        let largest = records.max_by(|one, other| force(one).total_cmp(&force(other)))?;
-        Some(Faced::of(model, solved, largest, (pair, geometry))?.seat())
+    let largest = |pair: usize| {
+        let force = |step: &usize| solved.records[*step].audit.pairs[pair].normal;
+        let steps = 0..solved.records.len();
+        steps.max_by(|one, other| force(one).total_cmp(&force(other)))
     };
+    let seat = |pair: usize| seat(model, solved, largest(pair)?, pair);
     (0..model.pairs.len()).map(seat).collect()
+}
+
+/// The same in every load step, of bodies by series; those that touch nothing in a step sit as in `otherwise`.
+pub fn of_steps(
+    model: &Model,
+    solved: &Solved,
+    otherwise: &[Option<Seat>],
+) -> Vec<Vec<Option<Seat>>> {
+    let of_step = |step: usize| {
+        let seat = |(pair, otherwise): (usize, &Option<Seat>)| {
+            let is_series = model.bodies[model.pairs[pair].second].series.is_some();
+            let bears = solved.records[step].audit.pairs[pair].normal > 0.0;
+            if is_series && bears {
+                seat(model, solved, step, pair)
+            } else {
+                otherwise.clone()
+            }
+        };
+        otherwise.iter().enumerate().map(seat).collect()
+    };
+    (0..solved.records.len()).map(of_step).collect()
+}
+
+fn seat(model: &Model, solved: &Solved, step: usize, pair: usize) -> Option<Seat> {
+    let own = &model.pairs[pair];
+    let touches = |body| {
+        (model.pairs.iter()).filter(move |other| other.first == body || other.second == body)
+    };
+    let is_series = model.bodies[own.second].series.is_some();
+    if touches(own.second).count() > 1 || !(is_series || model.half) {
+        return None;
+    }
+    let geometry = &model.edge_of(pair)?.geometry;
+    Some(Faced::of(model, solved, step, (pair, geometry))?.seat())
 }
 
 /// The same of those whose nodes are paired too far apart on the deformed geometry.
@@ -173,12 +199,12 @@ fn doubtful(model: &Model, solved: &Solved, pair: usize) -> Vec<(usize, [f64; 2]
     };
     let points = solved.interface.contacts().pair_points(pair);
     let rows: Vec<usize> = (0..points.len()).collect();
-    let steps = solved.records.iter().zip(1..);
+    let steps = solved.records.iter().enumerate();
     steps
-        .filter_map(|(record, step)| {
-            let faced = Faced::of(model, solved, record, (pair, &edge.geometry))?;
+        .filter_map(|(step, record)| {
+            let faced = Faced::of(model, solved, step, (pair, &edge.geometry))?;
             let touches = |k: usize| record.state.status[points.start + k].touches();
-            Some((step, faced.apart(&rows, touches)?))
+            Some((step + 1, faced.apart(&rows, touches)?))
         })
         .collect()
 }

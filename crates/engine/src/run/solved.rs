@@ -6,6 +6,7 @@ use stickslip_contact::thinned::Thinned;
 use stickslip_contact::{Interface, StepRecord};
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
+use super::seated::Seated;
 use crate::series::SeriesBody;
 
 /// A body as the interface problem sees it.
@@ -70,9 +71,16 @@ pub struct OwnNodes {
     pub thinned: Vec<Thinned>,
     /// One record per load step, of its own points.
     pub records: Vec<StepRecord>,
+    /// How bodies sit in their holes in every step, where that is not as in the model.
+    pub seated: Vec<Option<Arc<Seated>>>,
 }
 
 impl Solved {
+    /// How bodies sit in the load step with this index, where that is not as in the model.
+    pub(super) fn seated(&self, step: usize) -> Option<&Seated> {
+        self.own.as_ref()?.seated.get(step)?.as_deref()
+    }
+
     /// Forces `[N]` on the contact points of body `body` at the end of the load step `record`, interleaved, at the places where they act.
     pub fn forces_on_body(&self, record: &StepRecord, body: usize) -> Vec<f64> {
         if let Some(on_bodies) = &record.on_bodies {

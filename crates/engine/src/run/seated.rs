@@ -1,0 +1,114 @@
+//! Bodies by series that sit in their holes otherwise from load step to load step.
+//!
+//! On the deformed geometry the nodes of a pin should stand where those of its hole face them ([`Faced`](super::seats::Faced)), closer than nodes are to each other. Slip moves these places from load
+//! step to load step, so each step has a pin with nodes of its own. They are the same pin: what it was displaced by is read between the nodes of the step before, and what a step presses
+//! on it is put on the nodes of the model when the step is done.
+
+use std::sync::Arc;
+
+use stickslip_contact::{Facing, StepRecord};
+use stickslip_fem_core::parallel;
+use stickslip_scene::Scene;
+use stickslip_scene::schema::KinematicsChoice;
+
+use super::assembled::Assembled;
+use super::error::RunError;
+use super::solved::Operator;
+use crate::model::{Model, Seat};
+use crate::results::EdgeGeometry;
+
+/// Bodies that sit in two load steps alike but for so much of the smallest distance of nodes have one operator in both.
+const ALIKE: f64 = 0.1;
+
+/// How the second body of every contact sits, where that is known.
+type Seats = [Option<Seat>];
+
+/// The bodies and undeformed edges of a load step in which bodies by series sit in their holes otherwise than in the model.
+#[derive(Clone, Debug)]
+pub struct Seated {
+    /// One operator per body.
+    pub(super) operators: Vec<Operator>,
+    /// One per contact pair.
+    pub(super) facings: Vec<Facing>,
+}
+
+impl Seated {
+    /// Those of the load steps of `scene` with the seats `steps`; `None` of a step that sits as `model` does, whose seats are `seats`. Where gaps do not follow the displacement there are none.
+    ///
+    /// # Errors
+    /// [`RunError::Model`].
+    pub fn of_steps(
+        scene: &Scene,
+        model: &Model,
+        assembled: &Assembled,
+        (steps, seats): (&[Vec<Option<Seat>>], &Seats),
+    ) -> Result<Vec<Option<Arc<Self>>>, RunError> {
+        if model.request.analysis.kinematics != Some(KinematicsChoice::DeformedGaps) {
+            return Ok(Vec::new());
+        }
+        let near = |pair| {
+            model
+                .edge_of(pair)
+                .map_or(0.0, |edge| ALIKE * smallest(&edge.geometry))
+        };
+        let near: Vec<f64> = (0..seats.len()).map(near).collect();
+        // Seats that differ, those of the model first.
+        let mut unlike = vec![seats];
+        let which = steps.iter().map(|step| {
+            let known = unlike
+                .iter()
+                .position(|seats| are_alike(seats, step, &near));
+            known.unwrap_or_else(|| {
+                unlike.push(step);
+                unlike.len() - 1
+            })
+        });
+        let which: Vec<usize> = which.collect();
+        let made = parallel::map(&unlike[1..], |seats| -> Result<_, RunError> {
+            let own = Model::build_on(scene, Some(model), seats)?;
+            let operators = assembled.operators.iter().zip(&own.bodies);
+            let operators = operators.map(|(operator, body)| match &body.series {
+                Some(series) => Operator::Series(Arc::clone(series)),
+                None => operator.clone(),
+            });
+            Ok(Arc::new(Self {
+                operators: operators.collect(),
+                facings: own.facings,
+            }))
+        });
+        let made: Vec<Arc<Self>> = made.into_iter().collect::<Result<_, _>>()?;
+        let own = |index: usize| index.checked_sub(1).map(|index| Arc::clone(&made[index]));
+        Ok(which.into_iter().map(own).collect())
+    }
+
+    /// Puts the forces of `record` that act on these bodies on the nodes of `operators`, those of the model.
+    pub(super) fn put_on_nodes_of(&self, operators: &[Operator], record: &mut StepRecord) {
+        let Some(on_bodies) = record.on_bodies.as_mut().map(Arc::make_mut) else {
+            return;
+        };
+        let bodies = operators.iter().zip(&self.operators);
+        for (forces, (own, other)) in on_bodies.iter_mut().zip(bodies) {
+            let nodes = [own, other].map(|body| body.series()?.circle_nodes());
+            if let [Some(own), Some(other)] = nodes
+                && own != other
+            {
+                *forces = own.spread(other, forces);
+            }
+        }
+    }
+}
+
+/// Whether bodies sit alike, up to the angles `near` of each pair.
+fn are_alike(one: &Seats, other: &Seats, near: &[f64]) -> bool {
+    let mut both = one.iter().zip(other).zip(near);
+    both.all(|((one, other), near)| match (one, other) {
+        (Some(one), Some(other)) => one.apart(other) <= *near,
+        (one, other) => one.is_none() && other.is_none(),
+    })
+}
+
+/// The smallest distance of nodes along an edge `[rad or mm]`.
+fn smallest(geometry: &EdgeGeometry) -> f64 {
+    let gaps = geometry.parameter.windows(2).map(|pair| pair[1] - pair[0]);
+    gaps.fold(f64::INFINITY, f64::min)
+}
