@@ -18,7 +18,7 @@ pub struct Audit {
     /// Balance of each body that can move as a whole.
     pub bodies: Vec<FloatingBalance>,
     /// Virtual work of the contact forces on the gaps, Σ |λ_n g_n| relative to Σ |λ_n| times the largest motion or elastic
-    /// give of a point: zero by complementarity.
+    /// give of a point `[1]`: zero by complementarity.
     pub gap_work: f64,
 }
 
@@ -69,7 +69,7 @@ pub struct FloatingBalance {
     pub unbalanced: f64,
     /// What its forces are measured by `[force]`: its largest load resultant or sum of contact forces |λ| of a pair in this step.
     pub scale: f64,
-    /// The unbalanced resultant relative to [`Self::scale`], to a thousandth of the body's largest in the whole history or to a
+    /// The unbalanced resultant `[1]` relative to [`Self::scale`], to a thousandth of the body's largest in the whole history or to a
     /// millionth of that of all bodies, whichever is more; while the history is still being followed, in the steps so far. So a step without load shows rounding too, not
     /// rounding by rounding.
     pub relative: f64,
@@ -142,7 +142,7 @@ impl Audit {
         }
     }
 
-    /// The largest relative imbalance of a floating body.
+    /// The largest relative imbalance of a floating body `[1]`.
     pub fn balance(&self) -> f64 {
         let relative = self.bodies.iter().map(|body| body.relative);
         relative.fold(0.0, f64::max)

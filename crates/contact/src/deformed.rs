@@ -95,7 +95,7 @@ pub const TOLERANCE: f64 = 1e-6;
 /// Passes after which an increment that does not settle is refused.
 pub const PASSES: usize = 12;
 
-/// Error of a closest point relative to the larger of both up to which an increment is accepted.
+/// Error `[1]` of a closest point relative to the larger of both up to which an increment is accepted.
 pub const LARGEST_ERROR: f64 = 1e-2;
 
 /// On which geometry contact is found.

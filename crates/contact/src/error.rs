@@ -59,7 +59,7 @@ pub enum ContactError {
     StepFailed {
         /// Index of the step, from 0; messages count from 1.
         step: usize,
-        /// Fraction of the increment of the step that was reached by states that meet the conditions.
+        /// Fraction of the increment of the step that was reached by states that meet the conditions `[1]`.
         reached: f64,
         /// Indices of the bodies whose contact was not solved, where others do not depend on them; empty for all. The points and rigid
         /// motions in `cause` are those of these bodies alone.

@@ -38,11 +38,11 @@ impl std::ops::AddAssign for Work {
 /// load resultant, lengths to the largest motion of a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residuals {
-    /// Penetration, tension, gaps of touching points, and forces on open ones.
+    /// Penetration, tension, gaps of touching points, and forces on open ones `[1]`.
     pub complementarity: f64,
-    /// Tangential force beyond the bound, slip along the force, and slip of sticking points.
+    /// Tangential force beyond the bound, slip along the force, and slip of sticking points `[1]`.
     pub cone: f64,
-    /// Unbalanced resultants of floating bodies.
+    /// Unbalanced resultants of floating bodies `[1]`.
     pub balance: f64,
 }
 
@@ -94,7 +94,7 @@ pub enum FailureCause {
     /// A candidate does not meet the conditions.
     #[error("the candidate violates the contact conditions by {violation:.1e} of their scale")]
     Inaccurate {
-        /// Largest relative violation.
+        /// Largest relative violation `[1]`.
         violation: f64,
     },
     /// No combination of statuses meets the conditions.
@@ -155,16 +155,16 @@ pub enum FailureCause {
          each other"
     )]
     Apart {
-        /// Error relative to the largest motion.
+        /// Error relative to the largest motion `[1]`.
         error: f64,
-        /// The largest that is accepted.
+        /// The largest that is accepted `[1]`.
         limit: f64,
     },
     /// A floating body's load cannot be balanced: a rigid motion along which the load works separates, or slides along,
     /// every contact.
     #[error("the load cannot be balanced: nothing stops a rigid motion on which it does work{}", if *proved { " (proved)" } else { "" })]
     Unbalanced {
-        /// The rigid motion α, one number per mode.
+        /// The rigid motion α, one number per mode, in the units of [`InterfaceProblem::modes`](crate::InterfaceProblem::modes).
         motion: Vec<f64>,
         /// Whether that motion is a proof (Farkas): no admissible contact force works against it, whatever the points remember
         /// of slip.

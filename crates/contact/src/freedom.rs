@@ -31,7 +31,7 @@ pub struct FreeBody {
     pub slipping: Vec<usize>,
 }
 
-/// The bodies that take part in motions without resistance, as [`unresisted_motions`] finds them.
+/// The bodies that take part in motions without resistance, as [`unresisted_motions`] finds them; `apart` `[rad]` as there.
 pub fn free_bodies(problem: &InterfaceProblem, apart: f64) -> Vec<FreeBody> {
     let motions = unresisted_motions(problem, apart);
     let still = NEGLIGIBLE.max(2.0 * apart);

@@ -9,7 +9,7 @@
 //! First contact at θ = 0 is e = (c, 0); to first order in c/R that is c (1 − cos θ). Interference (c < 0) starts
 //! concentric, e = 0. A cylinder of radius R on a plane: g₀(x) = R − √(R² − x²) ≈ x²/2R.
 
-/// Gap `[length]` along the radius at angle `theta` `[rad]` between a hole of `radius` and a pin smaller by `clearance`, whose
+/// Gap `[length]` along the radius at angle `theta` `[rad]` between a hole of `radius` and a pin smaller by `clearance` (both `[length]`), whose
 /// centre lies at `offset` from the hole's. NaN if the radius at `theta` misses the pin.
 pub fn circles(radius: f64, clearance: f64, offset: [f64; 2], theta: f64) -> f64 {
     let pin = radius - clearance;
@@ -24,7 +24,7 @@ pub fn circles_linearised(clearance: f64, offset: [f64; 2], theta: f64) -> f64 {
     clearance - offset[0] * theta.cos() - offset[1] * theta.sin()
 }
 
-/// Gap `[length]` at `x` between a plane and a cylinder of `radius` that touches it at x = 0. NaN beyond the radius.
+/// Gap `[length]` at `x` between a plane and a cylinder of `radius` `[length]` that touches it at x = 0. NaN beyond the radius.
 pub fn cylinder(radius: f64, x: f64) -> f64 {
     x * x / (radius + (radius * radius - x * x).sqrt())
 }

@@ -67,7 +67,7 @@ const SMALLEST_PART: f64 = 1.0 / 1024.0;
 const CUTBACK_EFFORT: u64 = 20_000_000_000;
 
 impl LoadHistory {
-    /// A history with `steps[k]` the multipliers of all load cases at the end of step `k`.
+    /// A history with `steps[k]` the multipliers `[1]` of all load cases at the end of step `k`.
     ///
     /// # Errors
     /// [`ContactError::InvalidLoad`] if steps differ in length, a multiplier is not finite, or `substeps` is zero.
@@ -76,7 +76,7 @@ impl LoadHistory {
         Self::divided(steps, substeps, ramp)
     }
 
-    /// The same with `substeps[k]` sub-steps in step `k`.
+    /// A history as by [`new`](Self::new), with `substeps[k]` sub-steps in step `k`.
     ///
     /// # Errors
     /// As [`new`](Self::new), and [`ContactError::InvalidLoad`] if steps and numbers of sub-steps differ in number.
@@ -134,7 +134,7 @@ impl LoadHistory {
         self.ramp
     }
 
-    /// Multipliers at the end of each step.
+    /// Multipliers at the end of each step `[1]`.
     pub fn steps(&self) -> &[Vec<f64>] {
         &self.steps
     }

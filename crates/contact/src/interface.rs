@@ -164,7 +164,7 @@ impl Interface {
         self.mode_offsets[body]..self.mode_offsets[body + 1]
     }
 
-    /// As [`InterfaceProblem::motions_of_body`], of body `index` with `state` that of all parts.
+    /// Amounts of the own rigid motions, as [`InterfaceProblem::motions_of_body`], of body `index` with `state` that of all parts, in the units of its [`modes`](InterfaceOperator::modes).
     pub fn motions_of_body(&self, index: usize, state: &ContactState) -> Vec<f64> {
         // A body that moves is in one part only.
         let own = self.parts.iter().find_map(|part| {
@@ -217,7 +217,7 @@ impl Interface {
             .sum()
     }
 
-    /// As [`InterfaceProblem::forces_on_body`], of all parts that touch body `index`.
+    /// Forces `[force]` on the contact points, as [`InterfaceProblem::forces_on_body`], of all parts that touch body `index`; `forces` `[force]`, 2n.
     pub fn forces_on_body(&self, index: usize, count: usize, forces: &DVector<f64>) -> Vec<f64> {
         let mut on_body = vec![0.0; 2 * count];
         for part in &self.parts {

@@ -249,7 +249,7 @@ impl InterfaceProblem {
         self.compliance_unit
     }
 
-    /// Rigid motions G, 2n × m, each in a unit in which it moves the contact points by about 1: that of its body times a power of 256,
+    /// Rigid motions G `[1]`, 2n × m, each in a unit in which it moves the contact points by about 1: that of its body times a power of 256,
     /// which changes no digit of any number. Motions that move them by 1/16 to 16 as they are have a factor of 1.
     pub fn modes(&self) -> &DMatrix<f64> {
         &self.modes

@@ -25,7 +25,7 @@ impl Status {
         self != Self::Open
     }
 
-    /// Direction of slip: +1, −1, or 0 without slip.
+    /// Direction of slip `[1]`: +1, −1, or 0 without slip.
     pub fn slip_sign(self) -> f64 {
         match self {
             Self::SlipPositive => 1.0,
@@ -34,7 +34,7 @@ impl Status {
         }
     }
 
-    /// Slip along the sign of `motion`.
+    /// Slip along the sign of `motion`, in any unit.
     pub fn slip_along(motion: f64) -> Self {
         if motion < 0.0 {
             Self::SlipNegative
@@ -78,7 +78,7 @@ pub struct ContactState {
     pub status: Vec<Status>,
     /// What each point remembers.
     pub history: Vec<History>,
-    /// Multipliers of the load cases.
+    /// Multipliers of the load cases `[1]`.
     pub multipliers: Vec<f64>,
 }
 
@@ -130,7 +130,7 @@ pub struct TrialState {
     pub forces: DVector<f64>,
     /// Gap and tangential displacement `[length]`, 2n.
     pub motion: DVector<f64>,
-    /// Rigid motions, m.
+    /// Rigid motions, m, in the units of [`InterfaceProblem::modes`](crate::InterfaceProblem::modes).
     pub rigid: DVector<f64>,
     /// Status of each point.
     pub status: Vec<Status>,

@@ -22,7 +22,7 @@ use stickslip_fem_core::linalg::DenseLu;
 use crate::problem::{FreeMotions, InterfaceProblem};
 use crate::state::Status;
 
-/// Part of the bound from which friction is near it: the bound is an estimate.
+/// Part of the bound `[1]` from which friction is near it: the bound is an estimate.
 pub const NEAR_BOUND: f64 = 0.8;
 
 /// Estimate of the friction coefficient (dimensionless) up to which the step with touching points as in `status` (one per

@@ -16,9 +16,9 @@ use crate::state::{ContactState, Status};
 pub struct Zone {
     /// Status of all its points.
     pub status: Status,
-    /// Where it starts, in the parameter given.
+    /// Where it starts, in the unit of the parameter.
     pub start: f64,
-    /// Where it ends. On a closed contact a zone across the place where the walk starts ends beyond that place's second visit.
+    /// Where it ends, in the unit of the parameter. On a closed contact a zone across the place where the walk starts ends beyond that place's second visit.
     pub end: f64,
 }
 
@@ -30,7 +30,7 @@ impl Zone {
 }
 
 /// Zones of pair `pair` in walk order. `parameter` is the place of each of its points along the contact (angle or length),
-/// ascending; `closed` is the length after which the contact closes on itself (2π for angles), if it does.
+/// ascending; `closed` is the length after which the contact closes on itself, in the unit of `parameter` (2π for angles), if it does.
 pub fn zones(
     contacts: &Contacts,
     state: &ContactState,
@@ -58,7 +58,7 @@ pub fn zones(
 }
 
 /// Zones of the whole contact from those of its half, which lies at places ≥ 0; the mirror turns the direction of slip.
-/// `closed` as in [`zones`]: then the half ends at half of that length.
+/// `closed` as in [`zones`]: then the half ends at half of that length, in the unit of the zones.
 pub fn mirrored(half: &[Zone], closed: Option<f64>) -> Vec<Zone> {
     let image = |zone: &Zone| Zone {
         status: match zone.status {
@@ -75,7 +75,7 @@ pub fn mirrored(half: &[Zone], closed: Option<f64>) -> Vec<Zone> {
     )
 }
 
-/// Half of what the contact reaches over, gaps between its parts included: half of the distance from its first to its last place,
+/// Half of what the contact reaches over, in the unit of the zones, gaps between its parts included: half of the distance from its first to its last place,
 /// on a closed one half of all but the longest opening. `None` where nothing touches.
 pub fn half_extent(zones: &[Zone], closed: Option<f64>) -> Option<f64> {
     let mut touching = zones.iter().filter(|zone| zone.status.touches());

@@ -46,7 +46,7 @@ impl Limits {
         }
     }
 
-    /// Refuses what would take `bytes`.
+    /// Refuses what would take `bytes` `[byte]`.
     ///
     /// # Errors
     /// The two amounts as text.
@@ -61,7 +61,7 @@ impl Limits {
         ))
     }
 
-    /// Refuses pictures of more pixels than there is memory for.
+    /// Refuses pictures of more `pixels` `[px]` than there is memory for.
     ///
     /// # Errors
     /// The two amounts as text.

@@ -16,7 +16,7 @@ pub struct LoadScale {
     pub name: String,
     /// Unit of the values: of the load, "1" for a factor, empty for the step's number.
     pub unit: String,
-    /// One value per step.
+    /// One value per step, in `unit`.
     pub values: Vec<f64>,
 }
 
@@ -136,7 +136,7 @@ impl LoadScale {
         }
     }
 
-    /// The load of a ply failure: a part `factor` of the way to `step`, or beyond it that multiple of its load. Only loads and forces
+    /// The load of a ply failure: a part `factor` `[1]` of the way to `step`, or beyond it that multiple of its load. Only loads and forces
     /// have one.
     pub fn at_failure(&self, step: usize, factor: f64, reached: bool) -> Option<LoadValue> {
         let end = self.values.get(step).filter(|_| self.is_load())?;

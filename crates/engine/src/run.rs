@@ -188,7 +188,7 @@ pub fn comparable(model: &Model, solved: &Solved) -> Result<Comparable, RunError
     })
 }
 
-/// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
+/// Displacements of the body `index` `[mm]` at the end of every load step, x and y of each node in turn; empty for a rigid body.
 pub fn displacements_of(model: &Model, solved: &Solved, index: usize) -> Vec<Vec<f64>> {
     let recovered = fields::recover_some(model, solved, &[index]);
     let own = |step: &fields::Recovered| shown::moved(model, &solved.operators, step, index);

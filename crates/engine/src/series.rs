@@ -66,7 +66,7 @@ impl SeriesBody {
         2 * self.interface().points().len() + fitted
     }
 
-    /// Largest traction that the fit of the outer edge leaves, relative to the mean one; 0 for a closed form.
+    /// Largest traction that the fit of the outer edge leaves, relative to the mean one `[1]`; 0 for a closed form.
     pub fn residual(&self) -> f64 {
         match self {
             Self::Plate(plate) => plate.fit().residual,
@@ -305,7 +305,7 @@ pub(crate) fn stress_at(field: &SeriesField, body: &SeriesBody, place: Point) ->
     }
 }
 
-/// Whether a material of this stiffness is isotropic in the plane.
+/// Whether a material of this stiffness `[MPa]` is isotropic in the plane.
 pub fn is_isotropic(d: &PlaneStiffness) -> bool {
     let (along, cross) = (d[0][0], d[0][1]);
     let differences = [

@@ -84,7 +84,7 @@ impl<'a> History<'a> {
         }
     }
 
-    /// A force in the unit of results.
+    /// A force `[N]` as text in the unit of results.
     pub fn shown(&self, force: f64) -> String {
         self.force.show(force)
     }

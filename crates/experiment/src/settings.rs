@@ -38,11 +38,11 @@ pub struct Reduce {
     pub method: Method,
     /// Every how many pixels a displacement is taken from a picture; as many as the phase is correlated over where not stated.
     pub stride: Option<usize>,
-    /// Radius of the band around the carrier, part of the way to the background.
+    /// Radius of the band around the carrier, part of the way to the background `[1]`.
     pub band: f64,
-    /// Least amplitude of a fringe, a part of the median amplitude.
+    /// Least amplitude of a fringe, a part of the median amplitude `[1]`.
     pub least_modulation: f64,
-    /// Filling of missing pixels ends when a pass changes them by less than this part of the fringes' amplitude.
+    /// Filling of missing pixels ends when a pass changes them by less than this part `[1]` of the fringes' amplitude.
     pub settled: f64,
     /// Data nearer than this to the hole's edge are masked `[mm]`. Where not stated: of pictures with a carrier what their phase
     /// resolves, which mixes both sides of an edge; of other data nothing.
@@ -53,7 +53,7 @@ pub struct Reduce {
     pub mask: Vec<Area>,
     /// How far places of the null field may be off and still be the same `[mm]`; interpolated where not stated.
     pub common_places: Option<f64>,
-    /// Displacements of tables that are off their neighbours by more than so many times what is usual are masked; none where they are
+    /// Displacements of tables that are off their neighbours by more than so many times `[1]` what is usual are masked; none where they are
     /// not looked for.
     pub outliers: Option<f64>,
     /// Line along which front and back are compared.
@@ -151,7 +151,7 @@ pub struct SectorPlan {
     pub cells: [usize; 2],
     /// Distance of its inner arc from the hole `[mm]`.
     pub stand_off: f64,
-    /// Outermost layer over innermost.
+    /// Thickness of the outermost layer over that of the innermost `[1]`.
     pub growth: f64,
     /// Kind of the cells.
     pub element: ElementKind,
@@ -176,7 +176,7 @@ impl SectorPlan {
 /// How friction is identified.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identify {
-    /// Confidence of the intervals.
+    /// Confidence of the intervals `[1]`.
     pub confidence: f64,
     /// Samples of the Monte Carlo simulation.
     pub samples: usize,

@@ -115,7 +115,7 @@ pub enum Area {
 }
 
 impl Area {
-    /// Whether a place lies in it.
+    /// Whether a place `[mm]` lies in it.
     pub fn contains(&self, place: Point) -> bool {
         match self {
             Self::Disc { centre, radius } => {

@@ -97,7 +97,7 @@ pub struct TableSource {
     pub format: data::Format,
     /// What its numbers are; the standard deviation is that below.
     pub reading: Reading,
-    /// Where the origin of the body's frame is, in the table's own numbers.
+    /// Where the origin of the body's frame is, in the table's own unit.
     pub origin: [f64; 2],
     /// Standard deviation of either component `[mm]`; estimated from the scatter of neighbours where it is not stated.
     pub deviation: Option<f64>,
@@ -116,9 +116,9 @@ pub struct PictureSource {
     pub upright: bool,
     /// Carriers of the two fields `[1/mm]`, where they are known.
     pub carrier: Option<[[f64; 2]; 2]>,
-    /// Directions in which the orders of the two fields rise, carrier included.
+    /// Directions in which the orders of the two fields rise `[1]`, carrier included.
     pub rising: [[f64; 2]; 2],
-    /// Pixels of at most this intensity are missing.
+    /// Pixels of at most this intensity `[intensity]` are missing.
     pub dark: Option<f64>,
 }
 

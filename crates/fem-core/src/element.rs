@@ -49,9 +49,9 @@ use crate::kind::{ElementKind, Point};
 /// A sampling point of a quadrature rule on the reference cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadraturePoint {
-    /// Reference coordinates (ξ, η).
+    /// Reference coordinates (ξ, η) `[1]`.
     pub at: Point,
-    /// Weight; all weights of a rule sum to the area of the reference cell (4 or 1/2).
+    /// Weight `[1]`; all weights of a rule sum to the area of the reference cell (4 or 1/2).
     pub weight: f64,
 }
 
@@ -70,10 +70,10 @@ pub trait Element<const N: usize>: Copy + Debug + Default + Send + Sync + 'stati
     /// exactly so on parallelogram quadrilaterals, in practice also on triangles.
     const SUPERCONVERGENT: &'static [Point];
 
-    /// Shape functions Nₐ at the reference point `xi`.
+    /// Shape functions Nₐ `[1]` at the reference point `xi`.
     fn shape(xi: Point) -> [f64; N];
 
-    /// Gradients `[∂Nₐ/∂ξ, ∂Nₐ/∂η]` at the reference point `xi`.
+    /// Gradients `[∂Nₐ/∂ξ, ∂Nₐ/∂η]` `[1]` at the reference point `xi`.
     fn gradients(xi: Point) -> [[f64; 2]; N];
 }
 
@@ -119,7 +119,7 @@ pub fn with_element<V: KindVisitor>(kind: ElementKind, visitor: V) -> V::Output 
     }
 }
 
-/// Reference coordinates of the nodes of `kind`, in its numbering.
+/// Reference coordinates of the nodes of `kind`, in its numbering `[1]`.
 pub fn reference_nodes(kind: ElementKind) -> Vec<Point> {
     struct Nodes;
     impl KindVisitor for Nodes {

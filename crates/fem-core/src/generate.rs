@@ -59,7 +59,7 @@ pub enum Growth {
         /// Thickness of the first layer over the local arc spacing `[1]`; 1 makes square cells.
         aspect: f64,
     },
-    /// The far side of each layer as a fraction of the way from the circle: as many numbers as layers, increasing strictly
+    /// The far side of each layer as a fraction of the way from the circle `[1]`: as many numbers as layers, increasing strictly
     /// from above 0 to exactly 1.
     Fractions(Vec<f64>),
 }

@@ -68,7 +68,7 @@ pub trait InterfaceOperator: Debug + Send + Sync {
         }
     }
 
-    /// Rigid motions R of the contact points, 2n × f, in the displacements `[length]` of a unit of each; f = 0 for a body that is held.
+    /// Rigid motions R `[1]` of the contact points, 2n × f: their displacements `[length]` over the amount `[length]` of each; f = 0 for a body that is held.
     fn modes(&self) -> &DMatrix<f64>;
 
     /// Number of load cases.
@@ -80,8 +80,8 @@ pub trait InterfaceOperator: Debug + Send + Sync {
     /// Resultants r_k `[force]` of load case `case` in the rigid motions, f.
     fn mode_load(&self, case: usize) -> &DVector<f64>;
 
-    /// Computes the displacements u `[length]` of the contact points, 2n, under the forces `forces` `[force]`, 2n, the rigid motions `amounts`, f, and the
-    /// load multipliers `multipliers`, by the module's first equation. Points without force cost nothing.
+    /// Computes the displacements u `[length]` of the contact points, 2n, under the forces `forces` `[force]`, 2n, the rigid motions `amounts` `[length]`, f, and the
+    /// load multipliers `multipliers` `[1]`, by the module's first equation. Points without force cost nothing.
     fn displacements(&self, forces: &[f64], amounts: &[f64], multipliers: &[f64]) -> DVector<f64> {
         let mut displacements = self.modes() * DVector::from_column_slice(amounts);
         if let Some(compliance) = self.compliance() {
@@ -124,7 +124,7 @@ pub struct RigidBody {
 }
 
 impl RigidBody {
-    /// A rigid body that cannot move.
+    /// A rigid body that cannot move, with contact points at `points` `[length]`.
     pub fn held(points: Vec<Point>, load_cases: usize) -> Self {
         let modes = DMatrix::zeros(2 * points.len(), 0);
         Self {

@@ -21,7 +21,7 @@ const ENCLOSED: f64 = 1e-6;
 pub struct EdgePoint {
     /// Position `[length]`.
     pub position: Point,
-    /// Unit outward normal.
+    /// Unit outward normal `[1]`.
     pub normal: [f64; 2],
 }
 
@@ -115,7 +115,7 @@ fn centred(nodes: &[Point], mut areas: Vec<f64>, centre: Point) -> Vec<f64> {
     areas
 }
 
-/// Computes ∫ N_a f dA of a function f of the place, for each node.
+/// Computes ∫ N_a f dA of a function f of the place, for each node, in the unit of f times `[length²]`.
 pub fn area_integral(mesh: &Mesh, function: impl Fn(Point) -> f64) -> Vec<f64> {
     struct Visit<'a, F> {
         mesh: &'a Mesh,
@@ -157,7 +157,7 @@ pub fn area_integral(mesh: &Mesh, function: impl Fn(Point) -> f64) -> Vec<f64> {
 }
 
 /// Forces `[force]` on all nodes, interleaved, of one initial strain (ε_xx, ε_yy, γ_xy) per block, with the blocks'
-/// stiffnesses `[stress]`.
+/// stiffnesses `[stress]`; strains `[1]`, `thickness` `[length]`.
 pub fn initial_strain_load(
     mesh: &Mesh,
     stiffness: &[PlaneStiffness],

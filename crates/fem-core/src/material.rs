@@ -46,7 +46,7 @@ pub trait Material: Debug + Send + Sync {
     /// The matrix D `[stress]`, symmetric and positive definite.
     fn stiffness(&self) -> PlaneStiffness;
 
-    /// In-plane strain (ε_xx, ε_yy, γ_xy) that the temperature rise `dt` `[temperature]` causes where nothing resists; in
+    /// In-plane strain (ε_xx, ε_yy, γ_xy) `[1]` that the temperature rise `dt` `[temperature]` causes where nothing resists; in
     /// plane strain the effective one, which includes what the suppressed ε_zz does through Poisson's effect.
     fn thermal_strain(&self, dt: f64) -> [f64; 3] {
         let _ = dt;
@@ -92,7 +92,7 @@ pub enum MaterialError {
     NotFinite {
         /// The constant's name.
         name: &'static str,
-        /// The value given.
+        /// The value given, in the unit of the constant.
         value: f64,
     },
     /// Poisson's ratio of an isotropic material outside the stable range.
@@ -102,7 +102,7 @@ pub enum MaterialError {
         if *state == PlaneState::Strain { "strain" } else { "stress" }
     )]
     Poisson {
-        /// The value given.
+        /// The value given `[1]`.
         poisson: f64,
         /// The state, on which the upper bound depends.
         state: PlaneState,
@@ -114,9 +114,9 @@ pub enum MaterialError {
     OrthotropicPoisson {
         /// The constant's name.
         name: &'static str,
-        /// The value given.
+        /// The value given `[1]`.
         value: f64,
-        /// √(Eᵢ/Eⱼ), which bounds |νᵢⱼ|.
+        /// √(Eᵢ/Eⱼ) `[1]`, which bounds |νᵢⱼ|.
         limit: f64,
     },
     /// Three Poisson's ratios each admissible, but not together.
@@ -125,13 +125,13 @@ pub enum MaterialError {
          its scaled determinant is {determinant:.3e}, must be positive"
     )]
     OrthotropicIndefinite {
-        /// Major Poisson's ratio in the 1–2 plane.
+        /// Major Poisson's ratio in the 1–2 plane `[1]`.
         nu12: f64,
-        /// Poisson's ratio in the 1–3 plane.
+        /// Poisson's ratio in the 1–3 plane `[1]`.
         nu13: f64,
-        /// Poisson's ratio in the 2–3 plane.
+        /// Poisson's ratio in the 2–3 plane `[1]`.
         nu23: f64,
-        /// Determinant of the normal compliance scaled to a unit diagonal.
+        /// Determinant of the normal compliance scaled to a unit diagonal `[1]`.
         determinant: f64,
     },
 }

@@ -83,7 +83,7 @@ impl Mesh {
         Self::new(parts)
     }
 
-    /// The same mesh turned about the origin, so that what lay along x lies along the unit vector `direction`.
+    /// The same mesh turned about the origin, so that what lay along x lies along the unit vector `direction` `[1]`.
     ///
     /// # Errors
     /// As [`Mesh::new`], for coordinates that become infinite.

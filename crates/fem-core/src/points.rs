@@ -105,7 +105,7 @@ impl KindVisitor for Locate<'_> {
     }
 }
 
-/// Strains (ε_xx, ε_yy, γ_xy) at all quadrature points of `mesh` under the nodal displacements `u` `[length]`, interleaved,
+/// Strains (ε_xx, ε_yy, γ_xy) `[1]` at all quadrature points of `mesh` under the nodal displacements `u` `[length]`, interleaved,
 /// 2 × nodes.
 pub fn strains(mesh: &Mesh, u: &[f64]) -> Vec<[f64; 3]> {
     let mut all = Vec::new();

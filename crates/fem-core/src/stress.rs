@@ -69,7 +69,7 @@ pub enum StressError {
         name: &'static str,
         /// Path node.
         node: usize,
-        /// Its length.
+        /// Its length `[1]`.
         length: f64,
     },
 }
@@ -86,7 +86,7 @@ fn length(name: &'static str, expected: usize, found: usize) -> Result<(), Stres
     }
 }
 
-/// Components (σ_rr, σ_θθ, τ_rθ) of the stress (σ_xx, σ_yy, τ_xy) where the radius has the direction `theta` `[rad]`.
+/// Components (σ_rr, σ_θθ, τ_rθ) `[stress]` of the stress (σ_xx, σ_yy, τ_xy) `[stress]` where the radius has the direction `theta` `[rad]`.
 pub fn polar(stress: [f64; 3], theta: f64) -> [f64; 3] {
     let (s, c) = theta.sin_cos();
     let [xx, yy, xy] = stress;
@@ -97,7 +97,7 @@ pub fn polar(stress: [f64; 3], theta: f64) -> [f64; 3] {
     ]
 }
 
-/// Components (σ_xx, σ_yy, τ_xy) of the stress (σ_rr, σ_θθ, τ_rθ) where the radius has the direction `theta` `[rad]`.
+/// Components (σ_xx, σ_yy, τ_xy) `[stress]` of the stress (σ_rr, σ_θθ, τ_rθ) `[stress]` where the radius has the direction `theta` `[rad]`.
 pub fn cartesian(stress: [f64; 3], theta: f64) -> [f64; 3] {
     polar(stress, -theta)
 }

@@ -14,7 +14,7 @@ pub enum HeldDirection {
 }
 
 impl HeldDirection {
-    /// Unit vector of the direction.
+    /// Unit vector of the direction `[1]`.
     pub fn unit(self) -> [f64; 2] {
         match self {
             Self::X => [1.0, 0.0],

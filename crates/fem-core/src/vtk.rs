@@ -63,7 +63,7 @@ pub enum VtkError {
     /// A time that is NaN or infinite.
     #[error("time {time} of file '{file}' is not finite")]
     Time {
-        /// The time.
+        /// The time, in the unit given.
         time: f64,
         /// The file it belongs to.
         file: String,

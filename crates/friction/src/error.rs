@@ -15,7 +15,7 @@ pub enum FrictionError {
         law: &'static str,
         /// Name of the parameter; `plies[2].fraction` is that of the third ply.
         parameter: String,
-        /// The number given.
+        /// The number given, in the unit of the parameter.
         value: f64,
         /// The numbers allowed.
         allowed: Interval,
@@ -28,9 +28,9 @@ pub enum FrictionError {
     Strengthening {
         /// Name of the law.
         law: &'static str,
-        /// Static coefficient given.
+        /// Static coefficient given, dimensionless.
         static_coefficient: f64,
-        /// Dynamic coefficient given.
+        /// Dynamic coefficient given, dimensionless.
         dynamic_coefficient: f64,
     },
     /// A lay-up without plies.
@@ -48,9 +48,9 @@ pub enum FrictionError {
         law: &'static str,
         /// Number of plies given.
         plies: usize,
-        /// Sum of their fractions.
+        /// Sum of their fractions, dimensionless.
         sum: f64,
-        /// Largest accepted distance of the sum from 1.
+        /// Largest accepted distance of the sum from 1, dimensionless.
         tolerance: f64,
     },
 }
@@ -83,7 +83,7 @@ impl Interval {
         ..Self::POSITIVE
     };
 
-    /// `[lower, upper]`
+    /// `[lower, upper]`, in the unit of the parameter.
     pub const fn closed(lower: f64, upper: f64) -> Self {
         Self {
             lower,
@@ -93,7 +93,7 @@ impl Interval {
         }
     }
 
-    /// `(lower, upper]`
+    /// `(lower, upper]`, in the unit of the parameter.
     pub const fn open_closed(lower: f64, upper: f64) -> Self {
         Self {
             lower_included: false,
@@ -101,13 +101,13 @@ impl Interval {
         }
     }
 
-    /// Whether `value` is a finite number of this range.
+    /// Whether `value`, in the unit of the range, is a finite number of this range.
     pub fn contains(self, value: f64) -> bool {
         (value > self.lower || self.lower_included && value == self.lower)
             && (value < self.upper || self.upper_included && value == self.upper)
     }
 
-    /// Hands `value` back if this range contains it.
+    /// Hands `value`, in any unit, back if this range contains it.
     ///
     /// # Errors
     /// [`FrictionError::OutOfRange`] with the names given.

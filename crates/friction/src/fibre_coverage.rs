@@ -47,7 +47,7 @@ const SQRT_3: f64 = 1.732_050_807_568_877_2;
 /// Largest volume fraction of parallel round fibres, π/(2√3): hexagonal packing. Dimensionless.
 pub const MAXIMUM_FIBRE_FRACTION: f64 = FRAC_PI_2 / SQRT_3;
 
-/// How far the thickness fractions of all plies together may be from 1.
+/// How far the thickness fractions of all plies together may be from 1, dimensionless.
 pub const FRACTION_SUM_TOLERANCE: f64 = 1e-9;
 
 /// Angles of fibres `[rad]` and thickness fractions that differ by less are equal: rounding of units and turns.

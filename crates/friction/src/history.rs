@@ -56,7 +56,7 @@ impl Direction {
         }
     }
 
-    /// −1, 0 or +1.
+    /// −1, 0 or +1, dimensionless.
     pub fn sign(self) -> f64 {
         f64::from(self as i8)
     }
@@ -101,7 +101,7 @@ impl History {
         }
     }
 
-    /// The record of a point between this one and `other`, `part` of the way there: its slip path lies between, the rest is that of the nearer one.
+    /// The record of a point between this one and `other`, `part` (dimensionless, in [0, 1]) of the way there: its slip path lies between, the rest is that of the nearer one.
     #[must_use = "a record is never changed in place"]
     pub fn between(&self, other: &Self, part: f64) -> Self {
         let nearer = if part > 0.5 { other } else { self };

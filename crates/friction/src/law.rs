@@ -88,7 +88,7 @@ use crate::history::History;
 pub struct Place {
     /// Coordinates x, y `[length]`.
     pub position: [f64; 2],
-    /// Unit tangent e_t of the contact frame; slip is positive along it.
+    /// Unit tangent e_t of the contact frame, dimensionless; slip is positive along it.
     pub tangent: [f64; 2],
     /// Angle of the body's 1-axis from the x axis, counter-clockwise `[rad]`.
     pub material_angle: f64,
@@ -170,7 +170,7 @@ impl Bound {
         }
     }
 
-    /// `weight · self + (1 − weight) · other`, values and derivatives.
+    /// `weight · self + (1 − weight) · other`, values and derivatives; `weight` is dimensionless.
     #[must_use]
     pub fn mixed(self, weight: f64, other: Self) -> Self {
         let mix = |own: f64, others: f64| weight * own + (1.0 - weight) * others;

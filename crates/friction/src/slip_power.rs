@@ -92,7 +92,7 @@ impl SlipPower {
         })
     }
 
-    /// The same with any two coefficients ≥ 0: the dynamic one may be the greater.
+    /// The law as by [`new`](Self::new), with any two coefficients ≥ 0: the dynamic one may be the greater.
     ///
     /// # Errors
     /// [`FrictionError::OutOfRange`] if a number is outside its range or not finite.

@@ -65,7 +65,7 @@ const ROUNDS: usize = 6;
 /// How to search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Probability with which an interval is to cover the truth, between 0 and 1.
+    /// Probability with which an interval is to cover the truth `[1]`, between 0 and 1.
     pub confidence: f64,
     /// Grid points per parameter for 1, 2, 3 and 4 parameters, at least 2.
     pub grid: [usize; MOST_PARAMETERS],
@@ -89,7 +89,7 @@ impl Default for Settings {
 
 /// Fits `parameters` of `model` to `data`.
 ///
-/// `model` takes the parameters in their order and predicts the data, block after block. Where it returns an error it has no
+/// `model` takes the parameters in their order and units and predicts the data, block after block, in theirs. Where it returns an error it has no
 /// prediction, and the search goes round the place.
 ///
 /// # Errors

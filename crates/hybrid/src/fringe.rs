@@ -113,7 +113,7 @@ pub enum FringeError {
         column: usize,
         /// Row of the pixel, from 0.
         row: usize,
-        /// Its value.
+        /// Its value, in the unit of the picture or map.
         value: f64,
     },
     /// A parameter is out of its range.
@@ -121,7 +121,7 @@ pub enum FringeError {
     Parameter {
         /// The parameter.
         name: &'static str,
-        /// Its value.
+        /// Its value, in the unit of the parameter.
         value: f64,
         /// What it may be.
         range: &'static str,
@@ -151,11 +151,11 @@ pub enum FringeError {
     CarrierRange {
         /// The carrier `[fringes/length]`.
         gradient: [f64; 2],
-        /// Fringes per pixel along columns and rows.
+        /// Fringes per pixel along columns and rows `[fringes/px]`.
         cycles: [f64; 2],
-        /// Fringes across the picture.
+        /// Fringes across the picture `[fringes]`.
         fringes: f64,
-        /// Least number of fringes across the picture.
+        /// Least number of fringes across the picture `[fringes]`.
         least: f64,
     },
     /// The spectrum has no peak where a carrier could be.
@@ -164,9 +164,9 @@ pub enum FringeError {
          add carrier fringes by turning the grating or the mirror, or take four pictures with shifted phase"
     )]
     NoCarrier {
-        /// Power of the peak over that of the noise.
+        /// Power of the peak over that of the noise `[1]`.
         strength: f64,
-        /// What it takes to exclude noise.
+        /// What it takes to exclude noise `[1]`.
         least: f64,
     },
     /// The fringes leave the carrier's band.
@@ -176,9 +176,9 @@ pub enum FringeError {
         100.0 * share, 100.0 * least
     )]
     Crowded {
-        /// Part of the power in the band.
+        /// Part of the power in the band `[1]`.
         share: f64,
-        /// Requested least part.
+        /// Requested least part `[1]`.
         least: f64,
     },
     /// A region's pixels do not span a plane.

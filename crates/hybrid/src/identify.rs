@@ -55,18 +55,18 @@ pub struct Tractions {
 /// Friction of a zone that slips.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlipFit {
-    /// The coefficient that fits best, at least 0.
+    /// The coefficient `[1]` that fits best, at least 0.
     pub mu: f64,
     /// What the data leave of it.
     pub bounds: Bounds,
-    /// χ² of the best fit.
+    /// χ² of the best fit `[1]`.
     pub chi_squared: f64,
     /// Degrees of freedom of χ²: places less one.
     pub degrees: usize,
 }
 
 impl SlipFit {
-    /// Whether one coefficient for the whole zone explains the data: χ² within `deviations` standard deviations of what it should be,
+    /// Whether one coefficient for the whole zone explains the data: χ² within `deviations` `[1]` standard deviations of what it should be,
     /// by the cube root that makes it nearly normal.
     pub fn is_consistent(&self, deviations: f64) -> bool {
         let n = self.degrees as f64;
@@ -83,7 +83,7 @@ impl Tractions {
         self.slip_within(zone, positive, CHI_SQUARED_95)
     }
 
-    /// As [`slip`](Self::slip), with bounds where χ² has risen by `rise` above its least value, see [`chi_squared_of_one`].
+    /// The coefficient as by [`slip`](Self::slip), with bounds where χ² has risen by `rise` `[1]` above its least value, see [`chi_squared_of_one`].
     ///
     /// # Errors
     /// As [`slip`](Self::slip).
@@ -135,7 +135,7 @@ impl Tractions {
         })
     }
 
-    /// The longest zone from place `end` inwards, towards `towards`, that one coefficient explains to `deviations`, with its fit, and
+    /// The longest zone from place `end` inwards, towards `towards`, that one coefficient explains to `deviations` `[1]` standard deviations, with its fit, and
     /// whose inner half and quarter do not fit a lower one better. Slip starts at the end of contact, so `end` is the last place that
     /// bears pressure.
     ///
@@ -196,7 +196,7 @@ impl Tractions {
         self.covariance[row * 2 * count + row].max(0.0).sqrt()
     }
 
-    /// τ/p `[1]` at `place` and its standard deviation, to first order.
+    /// τ/p `[1]` at `place` and its standard deviation `[1]`, to first order.
     pub fn ratio(&self, place: usize) -> (f64, f64) {
         let (n, all) = (self.pressure.len(), 2 * self.pressure.len());
         let (pressure, shear) = (self.pressure[place], self.shear[place]);
@@ -207,7 +207,7 @@ impl Tractions {
         (ratio, variance.max(0.0).sqrt() / pressure.abs())
     }
 
-    /// The tractions at `places`, indices below their number, each with the factor of its shear, ±1; covariances go with them.
+    /// The tractions at `places`, indices below their number, each with the factor of its shear, ±1 `[1]`; covariances go with them.
     #[must_use]
     pub fn at(&self, places: &[(usize, f64)]) -> Self {
         let (own, all) = (places.len(), self.pressure.len());

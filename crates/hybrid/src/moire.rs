@@ -22,13 +22,13 @@ use crate::data::FringeLine;
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum MoireError {
-    /// A frequency is not positive and finite.
+    /// A frequency `[1/length]` is not positive and finite.
     #[error("a grating frequency of {0}; give lines per length, positive and finite")]
     Frequency(f64),
-    /// A wavelength is not positive and finite.
+    /// A wavelength `[length]` is not positive and finite.
     #[error("a wavelength of {0}; give a length, positive and finite")]
     Wavelength(f64),
-    /// An angle of incidence does not lie between the normal and grazing light.
+    /// An angle of incidence `[rad]` does not lie between the normal and grazing light.
     #[error("an angle of incidence of {0} rad; it must be above 0 and at most π/2")]
     Angle(f64),
     /// Light of this wavelength makes no grating this fine.
@@ -108,12 +108,12 @@ impl Grating {
         order / self.frequency
     }
 
-    /// Fringe order of a `displacement` `[length]`, f U.
+    /// Fringe order `[fringes]` of a `displacement` `[length]`, f U.
     pub fn order(&self, displacement: f64) -> f64 {
         displacement * self.frequency
     }
 
-    /// Strains (ε_x, ε_y, γ_xy) of the gradients `[[∂N_x/∂x, ∂N_x/∂y], [∂N_y/∂x, ∂N_y/∂y]]` `[fringes/length]`.
+    /// Strains (ε_x, ε_y, γ_xy) `[1]` of the gradients `[[∂N_x/∂x, ∂N_x/∂y], [∂N_y/∂x, ∂N_y/∂y]]` `[fringes/length]`.
     pub fn strains(&self, gradients: [[f64; 2]; 2]) -> [f64; 3] {
         let [[xx, xy], [yx, yy]] = gradients;
         [xx, yy, xy + yx].map(|gradient| gradient / self.frequency)
@@ -139,6 +139,6 @@ impl Grating {
 pub struct Slope {
     /// Middle between two fringe centres `[length]`.
     pub place: [f64; 2],
-    /// Derivative of the displacement along the line.
+    /// Derivative of the displacement along the line `[1]`.
     pub value: f64,
 }

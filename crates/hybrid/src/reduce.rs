@@ -228,7 +228,7 @@ impl Reduction {
         })
     }
 
-    /// Data (index and weight) that make a field's displacement of the `k`-th of [`Reduction::nodes`].
+    /// Data (index and weight `[1]`) that make a field's displacement of the `k`-th of [`Reduction::nodes`].
     pub fn stencil(&self, k: usize, field: Field) -> Option<&[(usize, f64)]> {
         self.stencils[field.component()].get(k).map(Vec::as_slice)
     }
@@ -279,7 +279,7 @@ impl Reduction {
         Ok(self.with_covariance(values, deviation.map(|order| grating.displacement(order))))
     }
 
-    /// W u: x and y of each node in turn, from all data of either component.
+    /// W u: x and y of each node in turn, in the unit of the data, from all data of either component.
     ///
     /// # Errors
     /// [`ReduceError::Size`] where there are not as many data as places.

@@ -102,7 +102,7 @@ pub enum RegionError {
         /// Row in which this shows.
         row: usize,
     },
-    /// A measurement without a standard deviation cannot be weighed.
+    /// A measurement without a positive standard deviation `[length]` cannot be weighed.
     #[error("the deviation {0} of the measurement is not positive")]
     Deviation(f64),
     /// A place outside of the region.
@@ -131,7 +131,7 @@ pub enum RegionError {
     /// The order of the smoothed differences is neither 2 nor 3.
     #[error("differences of order {0} cannot be smoothed; 2 and 3 can")]
     SmoothingOrder(usize),
-    /// The amount of smoothing is negative or not a number.
+    /// The amount of smoothing `[1]` is negative or not a number.
     #[error(
         "{0} is not a valid amount or share of smoothing: give a finite number that is not negative"
     )]

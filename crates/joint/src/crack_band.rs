@@ -37,7 +37,7 @@ pub enum CrackBandError {
     NotPositive {
         /// Which number.
         name: &'static str,
-        /// The value given.
+        /// The value given: an energy `[force/length]`, a length `[length]` or a width in cells `[1]`.
         value: f64,
     },
     /// A factor of degradation of 1: failure that loses no stiffness dissipates nothing.
@@ -110,7 +110,7 @@ impl CrackBand {
         })
     }
 
-    /// The same with rows of failing points as wide as `width` cells.
+    /// The same with rows of failing points as wide as `width` cells `[1]`.
     ///
     /// # Errors
     /// [`CrackBandError::NotPositive`].
@@ -119,7 +119,7 @@ impl CrackBand {
         Ok(Self { width, ..self })
     }
 
-    /// Width of a row, in cells.
+    /// Width of a row, in cells `[1]`.
     pub fn width(&self) -> f64 {
         self.width
     }
@@ -209,7 +209,7 @@ impl CrackBand {
         Ok(Ply::new(ply.name(), *ply.constants(), strengths)?)
     }
 
-    /// `laminate` with equivalent strengths of all plies.
+    /// `laminate` with equivalent strengths of all plies, for a row of the width `length` `[length]`.
     ///
     /// # Errors
     /// As [`ply`](Self::ply), and [`CrackBandError::Laminate`].

@@ -87,7 +87,7 @@ pub enum JointError {
     GaugeNumber {
         /// Which number.
         what: &'static str,
-        /// The value given.
+        /// The value given: a travel `[length]`, a factor or the length of a direction `[1]`.
         value: f64,
     },
     /// An option out of its range.
@@ -95,7 +95,7 @@ pub enum JointError {
     Option {
         /// The option.
         name: &'static str,
-        /// The value given.
+        /// The value given `[1]`.
         value: f64,
         /// Values that it may have.
         range: &'static str,
@@ -160,7 +160,7 @@ pub enum Halt {
     NotConverged {
         /// Iterations taken.
         iterations: usize,
-        /// What is left, relative to the largest nodal force.
+        /// What is left, relative to the largest nodal force `[1]`.
         residual: f64,
     },
     /// Plies fail on and on at constant load.
@@ -174,7 +174,7 @@ pub enum Halt {
         "the joint's secant stiffness falls to {stiffness:.3} of what it was: its load path is lost"
     )]
     LoadPathLost {
-        /// Load per displacement, relative to the largest seen before.
+        /// Load per displacement, relative to the largest seen before `[1]`.
         stiffness: f64,
     },
     /// Next to nothing but what failed plies are left with holds the joint: without it there is no path from the supports to the loads.

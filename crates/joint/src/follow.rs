@@ -19,7 +19,7 @@ const BURST_PART: f64 = 1.0 / 32.0;
 const LOADED: f64 = 1e-6;
 
 impl Joint {
-    /// Follows the load steps `steps`, each the multipliers of all load cases at its end, from rest, with `solver` for the contact.
+    /// Follows the load steps `steps`, each the multipliers `[1]` of all load cases at its end, from rest, with `solver` for the contact.
     /// `observe` sees each accepted increment and the state at its end.
     ///
     /// Under given loads the history ends at the joint's strength; driven supports carry it past the peak, until the load has

@@ -14,7 +14,7 @@ pub enum Pull {
     Contact {
         /// Index of the pair.
         pair: usize,
-        /// Unit vector.
+        /// Unit vector `[1]`.
         direction: [f64; 2],
     },
     /// The force of the driven supports of body `body` along their unit displacements.
@@ -43,9 +43,9 @@ pub enum Mark {
 pub struct Gauge {
     /// The force.
     pub pull: Pull,
-    /// Factor on the force: 2 for one half of a symmetric joint.
+    /// Factor on the force `[1]`: 2 for one half of a symmetric joint.
     pub multiple: f64,
-    /// Direction of the displacement, a unit vector.
+    /// Direction of the displacement, a unit vector `[1]`.
     pub direction: [f64; 2],
     /// The place that moves along `direction` as the joint gives.
     pub first: Mark,

@@ -11,9 +11,9 @@ use crate::gauge::Gauge;
 pub struct Options {
     /// Increments of each load step, before any is cut.
     pub increments: usize,
-    /// Smallest part of such an increment to which cut-back goes, in (0, 1].
+    /// Smallest part of such an increment `[1]` to which cut-back goes, in (0, 1].
     pub smallest_part: f64,
-    /// Nodal forces out of balance, relative to the largest nodal force, at which an increment is accepted.
+    /// Nodal forces out of balance, relative to the largest nodal force `[1]`, at which an increment is accepted.
     pub tolerance: f64,
     /// Newton iterations between two redistributions.
     pub iterations: usize,
@@ -23,14 +23,14 @@ pub struct Options {
     /// 32nd, so that the order of failures does not depend on the increment.
     pub burst: usize,
     /// Where supports are driven and the load falls from a new peak, the increment is cut until the plies that make it fall do so
-    /// within this part of the load before, and likewise to the first failure of all: strength and first failure are known as closely.
+    /// within this part `[1]` of the load before, and likewise to the first failure of all: strength and first failure are known as closely.
     pub peak_resolution: f64,
-    /// A history with driven supports ends where the load has fallen to this part of its peak.
+    /// A history with driven supports ends where the load has fallen to this part of its peak `[1]`.
     pub residual_load: f64,
-    /// Under given loads, the load path is lost where load per displacement, from where the joint begins to bear, falls to this part of its largest
+    /// Under given loads, the load path is lost where load per displacement, from where the joint begins to bear, falls to this part `[1]` of its largest
     /// value.
     pub residual_stiffness: f64,
-    /// Likewise where it falls to this part within one increment: the plate would jump apart, and what is found beyond the jump is
+    /// Likewise where it falls to this part `[1]` within one increment: the plate would jump apart, and what is found beyond the jump is
     /// borne by the stiffness that failed plies are left with.
     pub jump: f64,
 }

@@ -73,7 +73,7 @@ pub struct Hole {
     pub centre: Point,
     /// Radius `[length]`.
     pub radius: f64,
-    /// Unit vector from the centre to the bearing point, where the pin presses.
+    /// Unit vector `[1]` from the centre to the bearing point, where the pin presses.
     pub bearing: [f64; 2],
     /// Distance from the centre to the nearer side of the plate `[length]`, at right angles to `bearing`.
     pub side_distance: f64,
@@ -105,13 +105,13 @@ pub struct ModeCall {
     pub basis: Basis,
     /// The rule that decided.
     pub rule: ModeRule,
-    /// Shares of the deciding damage in [`JointMode::PURE`], by volume; they sum to 1 or less, the rest lying elsewhere.
+    /// Shares `[1]` of the deciding damage in [`JointMode::PURE`], by volume; they sum to 1 or less, the rest lying elsewhere.
     pub shares: [f64; 3],
-    /// How much of each mode's path, from the hole to the side or end, damage of the deciding kind covers, in fifths.
+    /// How much of each mode's path, from the hole to the side or end, damage of the deciding kind covers, as a part of it in steps of a fifth `[1]`.
     pub reach: [f64; 3],
-    /// The same of the damage at the last equilibrium, without that of the collapse.
+    /// The same of the damage at the last equilibrium, without that of the collapse `[1]`.
     pub followed_reach: [f64; 3],
-    /// Part of the deciding damage that happened in the collapse.
+    /// Part of the deciding damage that happened in the collapse `[1]`.
     pub collapse: f64,
     /// Other modes that the rules would call if a tenth of the deciding damage lay elsewhere and damage covered a fifth of
     /// one path more or less, or if the collapse did not count; of mixed damage also those with a fifth of it or more, and where most of
@@ -119,7 +119,7 @@ pub struct ModeCall {
     pub others: Vec<JointMode>,
     /// How `others` were found.
     pub reserve: Reserve,
-    /// Part of the peak load that the joint still bore at the end of its history, if that went beyond the peak.
+    /// Part `[1]` of the peak load that the joint still bore at the end of its history, if that went beyond the peak.
     pub retained: Option<f64>,
 }
 
@@ -143,7 +143,7 @@ pub enum ModeRule {
 pub struct Reserve {
     /// Other modes that the rules would call if the damage differed slightly.
     pub near: Vec<JointMode>,
-    /// Where the share alone counts: that part of the damage, and the other modes that hold it or more.
+    /// Where the share alone counts: that part of the damage `[1]`, and the other modes that hold it or more.
     pub part: Option<(f64, Vec<JointMode>)>,
     /// Whether `near` includes what is called without all that failed in the collapse.
     pub without_collapse: bool,
@@ -152,15 +152,15 @@ pub struct Reserve {
 }
 
 impl ModeCall {
-    /// Part of the peak load from which on damage is late.
+    /// Part of the peak load from which on damage is late `[1]`.
     pub const LATE: f64 = 0.95;
-    /// Share that makes a mode the governing one.
+    /// Share that makes a mode the governing one `[1]`.
     pub const GOVERNS: f64 = 0.6;
-    /// Part of its path at which a net section or a shear-out plug has come apart.
+    /// Part of its path at which a net section or a shear-out plug has come apart `[1]`.
     pub const SEVERED: f64 = 0.8;
     /// Parts of a path that are looked at one by one.
     pub const PARTS: usize = 5;
-    /// Part of the deciding damage that may lie elsewhere on another mesh or under another control.
+    /// Part `[1]` of the deciding damage that may lie elsewhere on another mesh or under another control.
     pub const MAY_SHIFT: f64 = 0.1;
 }
 
@@ -173,7 +173,7 @@ const CRUSHED: f64 = 0.45;
 /// Part of the deciding damage in the collapse from which on the collapse, which follows no equilibrium, is what decides.
 const MOSTLY: f64 = 0.5;
 
-/// Calls the mode of a joint by its damage; `None` without damage. `retained` is the part of the peak load that the joint still bore
+/// Calls the mode of a joint by its damage; `None` without damage. `retained` is the part `[1]` of the peak load that the joint still bore
 /// at the end of its history, if that went beyond the peak.
 pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Option<ModeCall> {
     let evidence = Evidence::of(hole, sites)?;

@@ -11,9 +11,9 @@ use crate::state::{Energy, JointState};
 pub struct JointRecord {
     /// Index of the load step, from 0.
     pub step: usize,
-    /// Part of the load step reached at its end, in (0, 1].
+    /// Part `[1]` of the load step reached at its end, in (0, 1].
     pub reached: f64,
-    /// Multipliers of the load cases at its end.
+    /// Multipliers of the load cases at its end `[1]`.
     pub multipliers: Vec<f64>,
     /// Load `[force]` by the joint's gauge.
     pub load: f64,
@@ -27,7 +27,7 @@ pub struct JointRecord {
     pub events: Vec<PlyEvent>,
     /// Redistributions at constant load.
     pub passes: usize,
-    /// Unbalanced nodal forces, relative to the largest, after each linearisation in which no ply failed.
+    /// Unbalanced nodal forces, relative to the largest `[1]`, after each linearisation in which no ply failed.
     pub residuals: Vec<f64>,
     /// Numeric factorisations of bodies, those of failed attempts included.
     pub factorisations: usize,
@@ -42,7 +42,7 @@ pub enum Ending {
     NoEquilibrium {
         /// Index of the load step, from 0.
         step: usize,
-        /// Part of it that was reached.
+        /// Part of it that was reached `[1]`.
         reached: f64,
         /// Why the smallest increment beyond failed.
         cause: Halt,
@@ -53,14 +53,14 @@ pub enum Ending {
     Severed {
         /// Index of the load step, from 0.
         step: usize,
-        /// Part of it that was reached.
+        /// Part of it that was reached `[1]`.
         reached: f64,
     },
     /// The load has fallen to the part of its peak at which a history ends.
     LoadDropped {
         /// Index of the load step, from 0.
         step: usize,
-        /// Part of it that was reached.
+        /// Part of it that was reached `[1]`.
         reached: f64,
     },
 }
@@ -90,7 +90,7 @@ impl JointHistory {
         best
     }
 
-    /// Index of the first record after which the load fell by the part `drop` of itself, or more, before it rose above it again: the
+    /// Index of the first record after which the load fell by the part `drop` `[1]` of itself, or more, before it rose above it again: the
     /// first peak of a curve that climbs on, as in bearing. `None` if there is no such fall.
     pub fn first_peak(&self, drop: f64) -> Option<usize> {
         let mut best = 0;

@@ -23,7 +23,7 @@ pub struct JointState {
 pub struct BodyState {
     /// Displacements of all nodes `[length]`, interleaved; of the contact points of a rigid body.
     pub displacements: Vec<f64>,
-    /// Force `[force]` with which the driven supports act along their unit displacements: power per rate of the multiplier.
+    /// Force `[force]` with which the driven supports act along their unit displacements: power per rate of the multiplier, so a force where a multiplier of 1 moves them by 1 `[length]`.
     pub support_force: f64,
     /// Largest nodal force `[force]` so far, by which unbalanced forces are measured where little is left of the load.
     pub largest_force: f64,
@@ -53,7 +53,7 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// What is missing in the balance, relative to the largest term: the error of the trapezoidal rule where a curve bends.
+    /// What is missing in the balance, relative to the largest term `[1]`: the error of the trapezoidal rule where a curve bends.
     pub fn imbalance(&self) -> f64 {
         let parts = [self.stored, self.dissipated, self.friction, self.released];
         let sum: f64 = parts.iter().sum();

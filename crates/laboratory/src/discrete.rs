@@ -40,7 +40,7 @@ pub struct Discrete {
     pub problem: InterfaceProblem,
     /// The last accepted state.
     pub committed: ContactState,
-    /// Load multipliers at the end of the increment.
+    /// Load multipliers at the end of the increment `[1]`.
     pub multipliers: Vec<f64>,
     /// Whether all bodies are supported: then the increment has a solution, whatever the friction.
     pub coercive: bool,
@@ -63,7 +63,7 @@ impl Discrete {
         Step::new(&self.problem, &self.committed, &self.multipliers)
     }
 
-    /// Largest violation of the equations and of the contact conditions by `trial`, relative to the largest force and length
+    /// Largest violation `[1]` of the equations and of the contact conditions by `trial`, relative to the largest force and length
     /// in play: computed from the problem alone, not from the residuals of the solvers. Infinite for a trial that is not
     /// finite.
     pub fn check(&self, trial: &TrialState) -> f64 {
@@ -97,7 +97,7 @@ impl Discrete {
         Conditions::new(&self.problem, &self.committed, &self.multipliers)
     }
 
-    /// The same problem after `trial` was accepted, under the next load.
+    /// The same problem after `trial` was accepted, under the next load, of the `multipliers` `[1]`.
     #[must_use]
     pub fn next(&self, trial: &TrialState, multipliers: Vec<f64>) -> Self {
         Self {
@@ -116,7 +116,7 @@ pub fn enumerate(discrete: &Discrete) -> Enumeration {
     discrete.conditions().enumerate()
 }
 
-/// The state after `trial` was accepted: histories advance by the slip increments.
+/// The state after `trial` was accepted: histories advance by the slip increments. `multipliers` `[1]` are those of the step.
 pub fn commit(committed: &ContactState, trial: &TrialState, multipliers: &[f64]) -> ContactState {
     let history = (0..trial.status.len())
         .map(|k| {
@@ -171,7 +171,7 @@ pub fn on_ground(
 /// What the ground is like under one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundPoint {
-    /// Unit normal from the ground into the body.
+    /// Unit normal from the ground into the body `[1]`.
     pub normal: [f64; 2],
     /// Initial gap `[length]`.
     pub gap: f64,

@@ -51,7 +51,7 @@ impl Repeat {
         seconds: 0.0,
     };
 
-    /// Whether another run is due after `runs` timed ones that took `total` seconds together.
+    /// Whether another run is due after `runs` timed ones that took `total` `[s]` together.
     pub fn goes_on(&self, runs: usize, total: f64) -> bool {
         runs < self.least.max(1) || (runs < self.most && total < self.seconds)
     }

@@ -49,15 +49,15 @@ pub enum Problem {
 /// Relative errors, none negative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
-    /// Of the largest pressure.
+    /// Of the largest pressure `[1]`.
     pub peak_pressure: f64,
-    /// Of the contact's half-angle or half-width.
+    /// Of the contact's half-angle or half-width `[1]`.
     pub contact_extent: f64,
-    /// Of the pressure over the contact, root mean square.
+    /// Of the pressure over the contact, root mean square `[1]`.
     pub pressure_profile: f64,
-    /// Of the shear over the contact, root mean square; `None` without friction.
+    /// Of the shear over the contact, root mean square `[1]`; `None` without friction.
     pub shear: Option<f64>,
-    /// Of σ_θ at 90°; `None` on a line.
+    /// Of σ_θ at 90° `[1]`; `None` on a line.
     pub hoop: Option<f64>,
 }
 
@@ -148,7 +148,7 @@ impl Problem {
         self.build_with(spacing, element, pairing, &[])
     }
 
-    /// The scene with further settings `key=value`, as the command's `--set` takes them.
+    /// The scene with node spacing `spacing` in [`unit`](Self::unit) and further settings `key=value`, as the command's `--set` takes them.
     ///
     /// # Errors
     /// [`LaboratoryError::Scene`] if a setting does not read.

@@ -36,12 +36,12 @@ pub struct Seconds {
 }
 
 impl Seconds {
-    /// What the methods differ in.
+    /// Time that the methods differ in: set-up and contact `[s]`.
     pub fn solve(&self) -> f64 {
         self.setup + self.contact
     }
 
-    /// Everything.
+    /// Time of all phases `[s]`.
     pub fn total(&self) -> f64 {
         self.mesh + self.setup + self.contact + self.stresses
     }

@@ -27,7 +27,7 @@ use crate::ply::Ply;
 pub struct DegradationError {
     /// `fibre` or `matrix`.
     pub name: &'static str,
-    /// The value given.
+    /// The value given, dimensionless.
     pub value: f64,
 }
 
@@ -59,7 +59,7 @@ impl Damage {
 }
 
 impl Degradation {
-    /// Smallest factor accepted.
+    /// Smallest factor accepted, dimensionless.
     pub const SMALLEST: f64 = 1e-9;
 
     /// Checks the factors `fibre` on E₁ after fibre failure and `matrix` on E₂ and G₁₂ after matrix failure, both dimensionless.
@@ -75,17 +75,17 @@ impl Degradation {
         Ok(Self { fibre, matrix })
     }
 
-    /// Returns the factor on E₁ after fibre failure, dimensionless.
+    /// The factor on E₁ after fibre failure, dimensionless.
     pub fn fibre(&self) -> f64 {
         self.fibre
     }
 
-    /// Returns the factor on E₂ and G₁₂ after matrix failure, dimensionless.
+    /// The factor on E₂ and G₁₂ after matrix failure, dimensionless.
     pub fn matrix(&self) -> f64 {
         self.matrix
     }
 
-    /// Multiplies the factors by `part` in [0, 1], as far as [`SMALLEST`](Self::SMALLEST): what is left where failed plies keep next to
+    /// Multiplies the factors by `part` in [0, 1], dimensionless, as far as [`SMALLEST`](Self::SMALLEST): what is left where failed plies keep next to
     /// nothing. A factor of 1 stays, because such a failure loses nothing.
     #[must_use]
     pub fn weakened(&self, part: f64) -> Self {

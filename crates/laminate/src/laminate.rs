@@ -98,7 +98,7 @@ pub enum LaminateError {
         100.0 * (1.0 / (1.0 - .coupling * .coupling) - 1.0)
     )]
     BendingExtension {
-        /// [`Coupling::bending_extension`].
+        /// [`Coupling::bending_extension`], dimensionless.
         coupling: f64,
     },
     /// A damage record for another number of layers.
@@ -127,37 +127,37 @@ pub struct Layer {
 }
 
 impl Layer {
-    /// Returns the ply.
+    /// The ply.
     pub fn ply(&self) -> &Ply {
         &self.ply
     }
 
-    /// Returns the angle of the fibres `[degree]`, counter-clockwise from x.
+    /// The angle of the fibres `[degree]`, counter-clockwise from x.
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
-    /// Returns the heights z of the lower and the upper face `[length]`, from the mid-plane.
+    /// The heights z of the lower and the upper face `[length]`, from the mid-plane.
     pub fn faces(&self) -> [f64; 2] {
         [self.bottom, self.top]
     }
 
-    /// Returns the stiffness Q̄ (3×3, `[stress]`) in the laminate's axes.
+    /// The stiffness Q̄ (3×3, `[stress]`) in the laminate's axes.
     pub fn stiffness(&self) -> &PlaneStiffness {
         &self.stiffness
     }
 
-    /// Returns the expansion ᾱ (xx, yy, xy) in the laminate's axes `[1/temperature]`, engineering shear.
+    /// The expansion ᾱ (xx, yy, xy) in the laminate's axes `[1/temperature]`, engineering shear.
     pub fn expansion(&self) -> [f64; 3] {
         self.expansion
     }
 
-    /// Turns the strain (xx, yy, xy) in the laminate's axes into (11, 22, 12) in material axes, engineering shear in both.
+    /// Turns the strain (xx, yy, xy) in the laminate's axes into (11, 22, 12) in material axes, engineering shear in both, dimensionless.
     pub fn material_strain(&self, strain: [f64; 3]) -> [f64; 3] {
         rotated_strain(strain, self.axis)
     }
 
-    /// Turns the stress (11, 22, 12) `[stress]` in material axes into (xx, yy, xy) in the laminate's axes.
+    /// Turns the stress (11, 22, 12) `[stress]` in material axes into (xx, yy, xy) `[stress]` in the laminate's axes.
     pub fn laminate_stress(&self, stress: [f64; 3]) -> [f64; 3] {
         let [c, s] = self.axis;
         let [s1, s2, t] = stress;
@@ -173,7 +173,7 @@ impl Layer {
         rotated_stiffness(local, [self.axis[0], -self.axis[1]])
     }
 
-    /// Computes the stress (σ₁, σ₂, τ₁₂) `[stress]` in material axes, for the strain `strain` in the laminate's axes and the temperature rise
+    /// Computes the stress (σ₁, σ₂, τ₁₂) `[stress]` in material axes, for the strain `strain` (dimensionless) in the laminate's axes and the temperature rise
     /// `temperature` `[temperature]` since the ply was free of stress.
     pub fn stress(&self, strain: [f64; 3], temperature: f64) -> [f64; 3] {
         let total = self.material_strain(strain);
@@ -206,22 +206,22 @@ pub struct Laminate {
 }
 
 impl Laminate {
-    /// Returns the layers, from the bottom up; never empty.
+    /// The layers, from the bottom up; never empty.
     pub fn layers(&self) -> &[Layer] {
         &self.layers
     }
 
-    /// Returns the thickness h `[length]`.
+    /// The thickness h `[length]`.
     pub fn thickness(&self) -> f64 {
         self.thickness
     }
 
-    /// Returns A `[force/length]`, B `[force]` and D `[force length]`, 3×3 each.
+    /// A `[force/length]`, B `[force]` and D `[force length]`, 3×3 each.
     pub fn stiffness(&self) -> &PlateMatrix {
         &self.stiffness
     }
 
-    /// Returns the inverse of [A B; B D] in blocks, with the units of [`PlateMatrix`].
+    /// The inverse of [A B; B D] in blocks, with the units of [`PlateMatrix`].
     pub fn compliance(&self) -> &PlateMatrix {
         &self.compliance
     }

@@ -50,7 +50,7 @@ pub struct Layup {
 }
 
 impl Layup {
-    /// Returns the plies from bottom (z = −h/2) to top; never empty.
+    /// The plies from bottom (z = −h/2) to top; never empty.
     pub fn stack(&self) -> &[StackedPly] {
         &self.stack
     }

@@ -24,7 +24,7 @@ pub struct PlyConstants {
     pub e2: f64,
     /// Shear modulus in the plane of the ply `[stress]`.
     pub g12: f64,
-    /// Major Poisson's ratio −ε₂/ε₁ for stress along 1.
+    /// Major Poisson's ratio −ε₂/ε₁ for stress along 1, dimensionless.
     pub nu12: f64,
     /// Thermal expansion along the fibres `[1/temperature]`.
     pub alpha1: f64,
@@ -65,7 +65,7 @@ pub enum PlyError {
         ply: String,
         /// Which strength.
         strength: Strength,
-        /// The value given.
+        /// The value given, `[stress]` or a strain limit.
         value: f64,
     },
 }
@@ -121,17 +121,17 @@ impl Ply {
         })
     }
 
-    /// Returns the name of the ply.
+    /// The name of the ply.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Returns the constants and the thickness as given.
+    /// The constants and the thickness as given.
     pub fn constants(&self) -> &PlyConstants {
         &self.constants
     }
 
-    /// Returns the strengths as given.
+    /// The strengths as given.
     pub fn strengths(&self) -> &Strengths {
         &self.strengths
     }
@@ -144,22 +144,22 @@ impl Ply {
         }
     }
 
-    /// Returns the reduced stiffness Q (3×3, `[stress]`) in material axes.
+    /// The reduced stiffness Q (3×3, `[stress]`) in material axes.
     pub fn stiffness(&self) -> &PlaneStiffness {
         &self.stiffness
     }
 
-    /// Returns the compliance S (3×3, `[1/stress]`) in material axes.
+    /// The compliance S (3×3, `[1/stress]`) in material axes.
     pub fn compliance(&self) -> &PlaneStiffness {
         &self.compliance
     }
 
-    /// Returns the thickness `[length]`.
+    /// The thickness `[length]`.
     pub fn thickness(&self) -> f64 {
         self.constants.thickness
     }
 
-    /// Returns the expansion (α₁, α₂, 0) in material axes `[1/temperature]`.
+    /// The expansion (α₁, α₂, 0) in material axes `[1/temperature]`.
     pub fn expansion(&self) -> [f64; 3] {
         [self.constants.alpha1, self.constants.alpha2, 0.0]
     }

@@ -61,7 +61,7 @@ impl Strength {
         Self::Strain12,
     ];
 
-    /// Returns the name of the field of [`Strengths`].
+    /// The name of the field of [`Strengths`].
     pub fn name(self) -> &'static str {
         match self {
             Self::Xt => "xt",
@@ -171,7 +171,7 @@ impl Strengths {
         }
     }
 
-    /// Returns the strength of this name, `[stress]` or a strain limit, if known.
+    /// The strength of this name, `[stress]` or a strain limit, if known.
     pub fn get(&self, strength: Strength) -> Option<f64> {
         let mut copy = *self;
         *copy.entry(strength)

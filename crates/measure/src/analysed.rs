@@ -65,7 +65,7 @@ pub struct Analysed {
     pub without_direct: Option<String>,
     /// What the fit did, where displacements were fitted.
     pub fit: Option<FitFacts>,
-    /// The variance of the data was multiplied by this, s².
+    /// The variance of the data was multiplied by this, s² `[1]`.
     pub scale: f64,
     /// The reason, as a sentence, where s² is the least that the standard deviation allows because residuals give none.
     pub scale_assumed: Option<String>,
@@ -115,17 +115,17 @@ pub struct NodalForce {
 pub struct FitFacts {
     /// Order of the differences that were smoothed.
     pub order: usize,
-    /// Amount of smoothing.
+    /// Amount of smoothing `[1]`.
     pub amount: f64,
-    /// Effective number of parameters.
+    /// Effective number of parameters `[1]`.
     pub parameters: f64,
-    /// Mean over the edge of the part of a displacement that the data at its own place decide, and not the smoothing.
+    /// Mean over the edge of the part `[1]` of a displacement that the data at its own place decide, and not the smoothing.
     pub kept: f64,
     /// Number of data.
     pub data: usize,
-    /// χ² of the residuals with the stated standard deviations.
+    /// χ² of the residuals with the stated standard deviations `[1]`.
     pub residual: f64,
-    /// s² as residuals alone say; [`Analysed::scale`] is larger where a standard deviation was stated, or digits are coarse.
+    /// s² as residuals alone say `[1]`; [`Analysed::scale`] is larger where a standard deviation was stated, or digits are coarse.
     pub of_residuals: f64,
 }
 
@@ -136,7 +136,7 @@ pub struct MisfitAt {
     pub place: Point,
     /// 0 for U, 1 for V.
     pub axis: usize,
-    /// The misfit over its standard deviation.
+    /// The misfit over its standard deviation `[1]`.
     pub relative: f64,
 }
 

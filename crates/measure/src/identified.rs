@@ -32,11 +32,11 @@ pub use zone::SlipZone;
 pub struct Simulation {
     /// Number of draws.
     pub samples: usize,
-    /// Their mean.
+    /// Their mean `[1]`.
     pub mean: f64,
-    /// Their standard deviation.
+    /// Their standard deviation `[1]`.
     pub deviation: f64,
-    /// The interval that holds the confidence's part of them, with equal parts beyond either end.
+    /// The interval `[1]` that holds the confidence's part of them, with equal parts beyond either end.
     pub interval: [f64; 2],
 }
 
@@ -51,7 +51,7 @@ pub struct Identified {
     pub zones_agree: bool,
     /// Monte Carlo simulation of that, where it has an upper end.
     pub simulation: Option<Simulation>,
-    /// How far the coefficient moves on half of the region's cells, where that was asked: an error of the mesh that intervals hold.
+    /// How far the coefficient moves on half of the region's cells, where that was asked `[1]`: an error of the mesh that intervals hold.
     pub mesh: Option<f64>,
     /// What asks for the greatest static friction, of all stretches inside of slip zones.
     pub grip: Option<Grip>,
@@ -59,7 +59,7 @@ pub struct Identified {
     pub findings: Vec<FrictionFinding>,
 }
 
-/// Standard deviations by which χ² of all zones may exceed its mean before one coefficient is rejected.
+/// Number of standard deviations `[1]` by which χ² of all zones may exceed its mean before one coefficient is rejected.
 pub const CONSISTENT: f64 = 3.0;
 
 impl Identified {
@@ -230,7 +230,7 @@ fn summarised(mut draws: Vec<f64>, confidence: f64) -> Option<Simulation> {
     })
 }
 
-/// τ/p at a place and its standard deviation, to first order.
+/// τ/p `[1]` at a place and its standard deviation `[1]`, to first order.
 pub fn ratio(found: &Analysed, place: usize) -> (f64, f64) {
     found.tractions.ratio(place)
 }

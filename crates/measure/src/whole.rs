@@ -64,7 +64,7 @@ pub struct WholeSolution {
     pub force: [f64; 2],
     /// Remote load `[N]`.
     pub load: [f64; 2],
-    /// χ² of the fit with the stated standard deviations, number of data, and effective number of parameters.
+    /// χ² of the fit with the stated standard deviations `[1]`, number of data, and effective number of parameters `[1]`.
     pub fit: (f64, usize, f64),
     /// The variance of the data was multiplied by this: χ² of the means of blocks of neighbouring residuals over its degrees of freedom,
     /// or what a stated standard deviation asks for, if that is more.

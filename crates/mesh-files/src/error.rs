@@ -194,7 +194,7 @@ pub enum ReadError {
         at: Place,
         /// The node.
         node: u64,
-        /// The coordinate.
+        /// The coordinate, in the unit of the file.
         value: f64,
     },
     /// Two nodes with one number.
@@ -310,7 +310,7 @@ pub enum ReadError {
         element: u64,
         /// Determinant of the Jacobian `[length²]`.
         determinant: f64,
-        /// Reference point where it was found.
+        /// Reference point where it was found `[1]`.
         reference: [f64; 2],
     },
     /// A cell with nearly closed or straight corners, or with sides of very different lengths.

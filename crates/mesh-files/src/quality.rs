@@ -22,7 +22,7 @@ const SIDES: [f64; 2] = [20.0, 1000.0];
 pub enum Flaw {
     /// A corner of this angle is nearly closed or straight `[deg]`.
     Corner(f64),
-    /// Its longest side is so many times as long as its shortest.
+    /// Its longest side is so many times as long as its shortest `[1]`.
     Sides(f64),
 }
 

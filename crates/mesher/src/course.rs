@@ -31,7 +31,7 @@ pub struct Spline {
 }
 
 impl Course {
-    /// The same way with its points where `place` puts them, and its directions turned by `turn`.
+    /// The same way with its points where `place` puts them `[length]`, and its directions turned by `turn` `[rad]`.
     #[must_use]
     pub fn mapped(&self, place: impl Fn(Point) -> Point, turn: impl Fn(f64) -> f64) -> Self {
         match self {

@@ -21,7 +21,7 @@ pub enum ContourError {
     NotFinite {
         /// Which number.
         what: String,
-        /// Its value.
+        /// Its value: a coordinate or size `[length]`, or the fineness `[1]`.
         value: f64,
     },
     /// A number that must be positive.
@@ -29,7 +29,7 @@ pub enum ContourError {
     NotPositive {
         /// Which number.
         what: String,
-        /// Its value.
+        /// Its value: a size `[length]` or the fineness `[1]`.
         value: f64,
     },
     /// A piece or hole without a name.
@@ -220,7 +220,7 @@ pub enum ContourError {
     /// A growth of the cell size over the fineness that gives no good cells.
     #[error("the growth of the cell size must be above 0 and at most 1, not {value}")]
     Growth {
-        /// The growth asked for over the fineness.
+        /// The growth asked for over the fineness `[1]`.
         value: f64,
     },
     /// Cells on a piece that is not there, or that would be larger than elsewhere.
@@ -230,7 +230,7 @@ pub enum ContourError {
     Refined {
         /// Number of the piece.
         piece: usize,
-        /// How many times smaller its cells are to be.
+        /// How many times smaller its cells are to be `[1]`.
         times: f64,
         /// Number of pieces.
         count: usize,

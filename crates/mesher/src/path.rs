@@ -76,13 +76,13 @@ impl Path {
         track.at(s - begin)
     }
 
-    /// Unit vector along the walk at arc length `s` `[length]`.
+    /// Unit vector `[1]` along the walk at arc length `s` `[length]`.
     pub fn tangent(&self, s: f64) -> Point {
         let (begin, track) = self.stretch(s);
         track.tangent(s - begin)
     }
 
-    /// Unit vector to the left of the walk at arc length `s` `[length]`.
+    /// Unit vector `[1]` to the left of the walk at arc length `s` `[length]`.
     pub fn left(&self, s: f64) -> Point {
         let [x, y] = self.tangent(s);
         [-y, x]
@@ -98,7 +98,7 @@ impl Path {
         nearest.map_or(0.0, |(s, _)| s)
     }
 
-    /// Where the straight line through `from` along the unit vector `direction` crosses it: the signed way along `direction` `[length]` and the arc length.
+    /// Where the straight line through `from` along the unit vector `direction` crosses it: the signed way along `direction` `[length]` and the arc length `[length]`.
     pub fn crossings(&self, from: Point, direction: Point) -> impl Iterator<Item = (f64, f64)> {
         let tolerance = END * self.length;
         self.tracks.iter().flat_map(move |(begin, track)| {

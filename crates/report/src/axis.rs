@@ -68,14 +68,14 @@ impl Axis {
         }
     }
 
-    /// Labels a tick every `spacing` (on a log axis: decades).
+    /// Labels a tick every `spacing` in the axis's unit (on a log axis: decades).
     #[must_use]
     pub fn every(mut self, spacing: f64) -> Self {
         self.tick_spacing = Some(spacing);
         self
     }
 
-    /// Sets the ends of the axis.
+    /// Sets the ends of the axis, in its unit.
     #[must_use]
     pub fn between(mut self, low: f64, high: f64) -> Self {
         self.range = Some([low, high]);
@@ -175,7 +175,7 @@ fn padded_log(low: f64, high: f64, padding: Padding) -> [f64; 2] {
     }
 }
 
-/// Returns the least and the largest of `values`; of none, +∞ and −∞.
+/// The least and the largest of `values`, in their unit; of none, +∞ and −∞.
 pub fn ends(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let values = values.into_iter();
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
@@ -183,7 +183,7 @@ pub fn ends(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     })
 }
 
-/// Returns the ends of `points` along x and along y, `[x_low, x_high, y_low, y_high]`.
+/// The ends of `points` along x and along y, `[x_low, x_high, y_low, y_high]`, in the units of the points.
 pub fn extent(points: impl IntoIterator<Item = [f64; 2]>) -> [f64; 4] {
     let [low, high] = ends([]);
     points.into_iter().fold(

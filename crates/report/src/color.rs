@@ -42,12 +42,12 @@ impl Color {
         0.299 * red + 0.587 * green + 0.114 * blue
     }
 
-    /// Returns the colour of category `index`; repeats after eight.
+    /// The colour of category `index`; repeats after eight.
     pub fn category(index: usize) -> Self {
         CATEGORIES[index % CATEGORIES.len()]
     }
 
-    /// Mixes this colour with white: `strength` 1 leaves it, 0 gives white.
+    /// Mixes this colour with white: `strength` \[1\] of 1 leaves it, 0 gives white.
     #[must_use]
     pub fn tint(self, strength: f64) -> Self {
         let strength = strength.clamp(0.0, 1.0);
@@ -81,7 +81,7 @@ pub enum Colormap {
 }
 
 impl Colormap {
-    /// Returns the colour at `fraction`, which is clamped to \[0, 1\]; NaN gives the colour at 0.
+    /// The colour at `fraction` \[1\], which is clamped to \[0, 1\]; NaN gives the colour at 0.
     pub fn at(self, fraction: f64) -> Color {
         let fraction = if fraction.is_nan() {
             0.0
@@ -105,18 +105,18 @@ impl Colormap {
     }
 }
 
-/// Returns `count` colours in order from dark blue to light green, for a family of curves
+/// Picks `count` colours in order from dark blue to light green, for a family of curves
 /// that has an order: load steps, mesh levels, coefficients of friction.
 pub fn sequence(count: usize) -> Vec<Color> {
     spread(count, 0.0, 0.85, |t| Colormap::Viridis.at(t))
 }
 
-/// Returns `count` colours for the steps of increasing load, from light to dark blue.
+/// Picks `count` colours for the steps of increasing load, from light to dark blue.
 pub fn loading_sequence(count: usize) -> Vec<Color> {
     spread(count, 0.4, 1.0, |t| evaluated(colorous::BLUES, t))
 }
 
-/// Returns `count` colours for the steps of decreasing load, from dark to light orange.
+/// Picks `count` colours for the steps of decreasing load, from dark to light orange.
 pub fn unloading_sequence(count: usize) -> Vec<Color> {
     spread(count, 1.0, 0.4, |t| evaluated(colorous::ORANGES, t))
 }

@@ -21,7 +21,7 @@ pub fn columns<T: Copy>(columns: &Columns<'_, T>, items: impl IntoIterator<Item 
     texts(std::iter::once(columns.header()).chain(rows))
 }
 
-/// The bytes of a table of numbers with all their digits; NaN is left empty.
+/// The bytes of a table of numbers with all their digits, in the units of their headings; NaN is left empty.
 pub fn numbers(headings: Vec<String>, rows: impl IntoIterator<Item = Vec<f64>>) -> Vec<u8> {
     let cell = |value: f64| {
         if value.is_finite() {
@@ -47,7 +47,7 @@ fn line(cells: &[String]) -> String {
     cells.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// A number for a program: up to twelve significant digits, empty where there is none.
+/// A number, in any unit, for a program: up to twelve significant digits, empty where there is none.
 pub fn number(value: f64) -> String {
     match tidy(value) {
         None => String::new(),

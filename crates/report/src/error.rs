@@ -17,9 +17,9 @@ pub enum FigureError {
     Range {
         /// Label of the axis.
         axis: String,
-        /// Lower end as given.
+        /// Lower end as given, in the axis's unit.
         low: f64,
-        /// Upper end as given.
+        /// Upper end as given, in the axis's unit.
         high: f64,
         /// `linear` or `log`.
         scale: &'static str,
@@ -32,11 +32,11 @@ pub enum FigureError {
     TickSpacing {
         /// Label of the axis.
         axis: String,
-        /// Spacing as given.
+        /// Spacing as given, in the axis's unit; in decades on a log axis.
         spacing: f64,
-        /// Lower end of the axis.
+        /// Lower end of the axis, in its unit.
         low: f64,
-        /// Upper end of the axis.
+        /// Upper end of the axis, in its unit.
         high: f64,
         /// Largest number of ticks.
         limit: usize,
@@ -48,7 +48,7 @@ pub enum FigureError {
         title: String,
         /// Width of the figure \[px\].
         width: f64,
-        /// Height over width of the plot area.
+        /// Height over width of the plot area \[1\].
         aspect: f64,
     },
     /// Panels without any chart or column.
@@ -78,9 +78,9 @@ pub enum FigureError {
         title: String,
         /// Index of the node.
         node: usize,
-        /// Its x as given.
+        /// Its x as given \[length\].
         x: f64,
-        /// Its y as given.
+        /// Its y as given \[length\].
         y: f64,
     },
     /// A cell with fewer than three nodes, or one that names a node that is not there.
@@ -102,7 +102,7 @@ pub enum FigureError {
         width: f64,
         /// Height of the figure \[px\].
         height: f64,
-        /// Pixels per figure pixel.
+        /// PNG pixels per figure pixel \[1\].
         scale: f64,
         /// What went wrong.
         reason: String,

@@ -24,7 +24,7 @@ const RIGHT: f64 = 14.0;
 const BAR_GAP: f64 = 16.0;
 
 impl<'a> PlanePlot<'a> {
-    /// Makes an empty plane with axes in `length_unit`.
+    /// Makes an empty plane with axes in `length_unit`, which is the unit of `window` too.
     pub fn new(title: impl Into<String>, length_unit: &str, window: [f64; 4]) -> Self {
         Self {
             title: title.into(),

@@ -16,12 +16,12 @@ use crate::image::Image;
 use crate::shape::{Anchor, Area, Shape, Stroke, TextStyle};
 use crate::svg::Svg;
 
-/// PNG pixels per figure pixel for screens and print.
+/// PNG pixels per figure pixel \[1\] for screens and print.
 pub const DEFAULT_SCALE: f64 = 2.0;
 /// Longest side of a picture \[PNG pixels\].
 const LONGEST_SIDE: f64 = 20_000.0;
 
-/// Draws a picture as a PNG file on white, `scale` PNG pixels per figure pixel, in at most 256 colours.
+/// Draws a picture as a PNG file on white, `scale` PNG pixels per figure pixel \[1\], in at most 256 colours.
 ///
 /// Pictures of at most 256 colours are exact; of others the blends on edges may differ by what is not seen.
 ///

@@ -17,17 +17,17 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// Returns the document's text, UTF-8.
+    /// The document's text, UTF-8.
     pub fn as_str(&self) -> &str {
         &self.markup
     }
 
-    /// Returns the width \[px\].
+    /// The width \[px\].
     pub fn width(&self) -> f64 {
         self.picture.width
     }
 
-    /// Returns the height \[px\].
+    /// The height \[px\].
     pub fn height(&self) -> f64 {
         self.picture.height
     }

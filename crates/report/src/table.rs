@@ -240,7 +240,7 @@ impl<'a, T: Copy> Columns<'a, T> {
         self
     }
 
-    /// Returns names with units as files have them, `CPRESS [psi]`.
+    /// Names with units as files have them, `CPRESS [psi]`.
     pub fn header(&self) -> Vec<String> {
         let heading = |(column, _): &(Column, _)| match column.unit.as_str() {
             "" => column.name.clone(),
@@ -249,7 +249,7 @@ impl<'a, T: Copy> Columns<'a, T> {
         self.columns.iter().map(heading).collect()
     }
 
-    /// Returns the cells of an item.
+    /// The cells of an item.
     pub fn cells(&self, item: T) -> Vec<String> {
         self.columns.iter().map(|(_, cell)| cell(item)).collect()
     }

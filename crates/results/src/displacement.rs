@@ -17,14 +17,14 @@ const SMALL: f64 = 1e-9;
 pub enum SetKind {
     /// A force acts along the unit vector `direction`.
     Force {
-        /// Unit vector.
+        /// Unit vector `[1]`.
         direction: [f64; 2],
     },
     /// A pressure acts against the outward normal.
     Pressure,
     /// A support or platen holds it, or gives its displacement, along the unit vector `direction`.
     Held {
-        /// Unit vector.
+        /// Unit vector `[1]`.
         direction: [f64; 2],
     },
 }
@@ -40,7 +40,7 @@ pub struct LoadedSet {
     pub on: String,
     /// What acts on it.
     pub kind: SetKind,
-    /// Force on the body over the force of the set, (x, y): the direction, of a pressure the mean normal against which it is counted.
+    /// Force on the body over the force of the set, (x, y) `[1]`: the direction, of a pressure the mean normal against which it is counted.
     pub along: [f64; 2],
     /// Smallest and largest x of its nodes `[mm]`; `None` where a body is loaded or held as a whole.
     pub reach: Option<[f64; 2]>,
@@ -127,7 +127,7 @@ impl SetStated {
 pub struct SetNumbers([Option<f64>; 4]);
 
 impl SetNumbers {
-    /// Collects what `number` gives of each.
+    /// Collects what `number` gives of each, in base units.
     pub fn of(number: impl FnMut(SetStated) -> Option<f64>) -> Self {
         Self(SetStated::ALL.map(number))
     }
@@ -143,7 +143,7 @@ impl SetNumbers {
         })
     }
 
-    /// The one that `stated` names.
+    /// The one that `stated` names, in its base unit.
     pub fn get(&self, stated: SetStated) -> Option<f64> {
         self.0[stated as usize]
     }

@@ -61,7 +61,7 @@ pub struct SecondSide {
     pub nodes: Vec<usize>,
     /// Place of each along its own edge: θ `[rad]` or x `[mm]`, of a path the place s of the first edge that it faces `[mm]`, ascending.
     pub parameter: Vec<f64>,
-    /// Unit normal of the contact at each, from the second body into the first.
+    /// Unit normal `[1]` of the contact at each, from the second body into the first.
     pub normals: Vec<[f64; 2]>,
 }
 
@@ -107,9 +107,9 @@ pub struct EdgeResults {
     /// Total lengths of the zones that slip away from the bearing point of the step and towards it, or along ±e_t `[rad or mm]`; `None`
     /// without contact.
     pub slip_lengths: Option<[f64; 2]>,
-    /// Largest pressure `[MPa]` and its place.
+    /// Largest pressure `[MPa]` and its place `[rad or mm]`.
     pub peak_pressure: Option<(f64, f64)>,
-    /// Largest tangential stress σ_θ or σ_xx `[MPa]` and its place.
+    /// Largest tangential stress σ_θ or σ_xx `[MPa]` and its place `[rad or mm]`.
     pub peak_hoop: Option<(f64, f64)>,
     /// Uncertainty of that stress where it sits in the cusp at the end of contact `[MPa]`: the larger change to a neighbouring
     /// node. The peak there converges only like the root of the spacing; elsewhere `None`.
@@ -147,7 +147,7 @@ impl EdgeGeometry {
         }
     }
 
-    /// The place from which positions count in a step that bears at `bearing`: without one where the history bears, or θ = 0, or the place `start` `[mm]` of a line, where x = 0.
+    /// The place `[rad or mm]` from which positions count in a step that bears at `bearing`: without one where the history bears, or θ = 0, or the place `start` `[mm]` of a line, where x = 0.
     pub fn reference(&self, bearing: Option<f64>, start: f64) -> f64 {
         let start = match self.kind {
             EdgeKind::Circle { .. } | EdgeKind::Path => 0.0,

@@ -67,9 +67,9 @@ pub struct FailurePoint {
     pub position: [f64; 2],
     /// Stress (σ₁, σ₂, τ₁₂) in material axes, that of the cure included `[MPa]`.
     pub stress: [f64; 3],
-    /// Failure index: 1 or more where the ply has failed.
+    /// Failure index `[1]`: 1 or more where the ply has failed.
     pub index: f64,
-    /// Multiple of the step's loads at which the ply fails, the cure held; infinite if none does it.
+    /// Multiple of the step's loads at which the ply fails, the cure held `[1]`; infinite if none does it.
     pub reserve_factor: f64,
     /// How it fails.
     pub mode: FailureMode,
@@ -80,9 +80,9 @@ pub struct FailurePoint {
 /// Estimated errors of a [`FailurePoint`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointErrors {
-    /// Of the failure index; `None` without a finite one.
+    /// Of the failure index `[1]`; `None` without a finite one.
     pub index: Option<f64>,
-    /// Of the reserve factor; `None` without a finite one.
+    /// Of the reserve factor `[1]`; `None` without a finite one.
     pub reserve_factor: Option<f64>,
     /// How far away the place may be `[mm]`.
     pub place: f64,
@@ -95,7 +95,7 @@ pub struct FirstPly {
     pub step: usize,
     /// Whether the history reaches the failure; otherwise the step's loads are multiplied until they do.
     pub reached: bool,
-    /// Reached: the part of the way from the step before, in [0, 1]. Otherwise the multiple of the step's loads, at least 1.
+    /// Reached: the part of the way from the step before, in [0, 1]. Otherwise the multiple of the step's loads, at least 1. Either `[1]`.
     pub factor: f64,
     /// The load there, in terms of what distinguishes the steps; `None` where only their number does.
     pub load: Option<LoadValue>,
@@ -144,7 +144,7 @@ impl BesideSupports {
 pub struct EdgePlies {
     /// Index of the edge in [`Results::edges`](super::Results::edges).
     pub edge: usize,
-    /// Place of each point, as [`EdgeGeometry::parameter`](super::EdgeGeometry::parameter), also where that has one half only:
+    /// Place of each point, as [`EdgeGeometry::parameter`](super::EdgeGeometry::parameter), `[rad or mm]`, also where that has one half only:
     /// ascending over the whole edge.
     pub parameter: Vec<f64>,
     /// By load step, ply group and point.
@@ -156,7 +156,7 @@ pub struct EdgePlies {
 pub struct EdgePly {
     /// Stress (σ₁, σ₂, τ₁₂) in material axes, that of the cure included `[MPa]`.
     pub stress: [f64; 3],
-    /// Failure index by each criterion.
+    /// Failure index by each criterion `[1]`.
     pub index: Vec<f64>,
 }
 
@@ -165,7 +165,7 @@ pub struct EdgePly {
 pub struct PlyMap {
     /// Load step, from 0.
     pub step: usize,
-    /// By ply group: one value per node of the mesh and, of a half model, one more per node for its mirror image.
+    /// By ply group: one failure index `[1]` per node of the mesh and, of a half model, one more per node for its mirror image.
     pub index: Vec<Vec<f64>>,
 }
 
@@ -186,7 +186,7 @@ pub struct CharacteristicFailure {
     pub angles: Vec<f64>,
     /// Places of the curve `[mm]`.
     pub places: Vec<[f64; 2]>,
-    /// For every load step, the largest index of the first criterion over the plies at each place.
+    /// For every load step, the largest index of the first criterion over the plies at each place `[1]`.
     pub index: Vec<Vec<f64>>,
 }
 

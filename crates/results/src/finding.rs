@@ -32,7 +32,7 @@ pub enum Finding {
         steps: Vec<usize>,
         /// Solvers of these steps.
         solvers: Vec<&'static str>,
-        /// Largest residual, as a part of the scales of penetration, friction and balance.
+        /// Largest residual, as a part of the scales of penetration, friction and balance `[1]`.
         residual: f64,
     },
     /// The first solver failed before a step was solved.
@@ -66,7 +66,7 @@ pub enum Finding {
     NoOtherSolver {
         /// Load steps that would take more work than comparisons may.
         too_dear: Vec<usize>,
-        /// Floating-point operations that comparisons of a history may take.
+        /// Number of floating-point operations `[1]` that comparisons of a history may take.
         limit: f64,
         /// Load steps that the other solver did not solve.
         unsolved: Vec<usize>,
@@ -75,9 +75,9 @@ pub enum Finding {
     Unbalanced {
         /// Load steps above the usual residual.
         steps: Vec<usize>,
-        /// Largest residual of balance, as a part of the load.
+        /// Largest residual of balance, as a part of the load `[1]`.
         residual: f64,
-        /// What ordinary rounding does not reach.
+        /// What ordinary rounding does not reach `[1]`.
         usual: f64,
     },
     /// What of the file of a body's mesh was passed over or changed.
@@ -140,7 +140,7 @@ pub enum Finding {
         steps: Vec<usize>,
         /// Angle of the corner inside the body `[degree]`.
         angle: f64,
-        /// Power of the distance from the corner with which stress grows, between −½ and 0, of an isotropic body with free sides.
+        /// Power of the distance from the corner with which stress grows `[1]`, between −½ and 0, of an isotropic body with free sides.
         exponent: Option<f64>,
     },
     /// Forces on fasteners have a moment out of the plane.
@@ -157,7 +157,7 @@ pub enum Finding {
     AccuracyMissed {
         /// The number whose error is farthest beyond it.
         number: &'static str,
-        /// Its error, a part of the number.
+        /// Its error, a part of the number `[1]`.
         error: f64,
         /// Why no finer model was tried.
         end: LadderEnd,
@@ -226,7 +226,7 @@ pub enum ContactFinding {
     },
     /// The clearance is wide for points that are paired at equal angles.
     WideClearance {
-        /// Clearance as a part of the hole's radius.
+        /// Clearance as a part of the hole's radius `[1]`.
         clearance: f64,
     },
     /// The radius of one of its circles is fitted to nodes whose distance from it counts beside the clearance.
@@ -330,7 +330,7 @@ pub enum ContactFinding {
         bodies: [String; 2],
         /// Their numbers of nodes along the contact.
         nodes: [usize; 2],
-        /// How many times as much the second body gives.
+        /// How many times as much the second body gives `[1]`.
         stiffness_ratio: f64,
     },
     /// It leaves a rigid motion of its bodies undetermined that changes no force, and with it gaps.
@@ -379,7 +379,7 @@ pub enum JointFinding {
     Unverified {
         /// Solvers of these increments.
         solvers: Vec<&'static str>,
-        /// Largest residual, as a part of the scales of penetration, friction and balance.
+        /// Largest residual, as a part of the scales of penetration, friction and balance `[1]`.
         residual: f64,
     },
     /// `analysis.substeps` and `analysis.ramp` do not divide the joint's increments.

@@ -28,7 +28,7 @@ impl From<SetStated> for Bounded {
 }
 
 impl Bounded {
-    /// All that `accuracy` bounds, with the relative errors that it allows.
+    /// All that `accuracy` bounds, with the relative errors `[1]` that it allows.
     pub fn all(accuracy: Accuracy) -> impl Iterator<Item = (Self, f64)> {
         let edges = Stated::ALL.into_iter().map(Self::Edge);
         let all = edges.chain(SetStated::ALL.map(Self::Set));
@@ -43,7 +43,7 @@ impl Bounded {
         }
     }
 
-    /// The relative error of it that `accuracy` allows; `None` where that does not bound it.
+    /// The relative error `[1]` of it that `accuracy` allows; `None` where that does not bound it.
     pub fn bound(self, accuracy: Accuracy) -> Option<f64> {
         let named = match accuracy {
             Accuracy::Overall(error) => {
@@ -91,7 +91,7 @@ pub struct Rung {
     pub model: String,
     /// Increments of each load step.
     pub increments: Vec<usize>,
-    /// The relative error of what is asked for that is largest beside its bound, and what has it; `None` of the first rung, which has no coarser one to compare with, and of one that was stopped.
+    /// The relative error `[1]` of what is asked for that is largest beside its bound, and what has it; `None` of the first rung, which has no coarser one to compare with, and of one that was stopped.
     pub error: Option<(f64, Bounded)>,
     /// Wall time `[s]`.
     pub seconds: f64,

@@ -194,7 +194,7 @@ pub struct StepResults {
     pub notes: StepNotes,
     /// Residuals of the contact conditions.
     pub residuals: Residuals,
-    /// Largest unbalanced force or moment, of the floating bodies in the interface problem, and of each elastic body's nodes,
+    /// Largest unbalanced force or moment `[1]`, of the floating bodies in the interface problem, and of each elastic body's nodes,
     /// resultant and moment by its recovered displacements; relative to the body's own loads and contact forces in the step, or to a
     /// thousandth of its largest in the history where that is more.
     pub balance_residual: f64,
@@ -211,7 +211,7 @@ pub struct StepResults {
 }
 
 impl StepResults {
-    /// Estimated error of [`dissipation`](Self::dissipation): the sum of those of all contacts; `None` where one has none.
+    /// Estimated error of [`dissipation`](Self::dissipation) `[N·mm]`: the sum of those of all contacts; `None` where one has none.
     pub fn dissipation_error(&self, edges: &[EdgeGeometry]) -> Option<f64> {
         let contacts = edges.iter().zip(&self.edges).filter(|own| own.0.contact);
         contacts

@@ -26,7 +26,7 @@ impl Nodes {
         self.parameter.len()
     }
 
-    /// The nodes on both sides of a place.
+    /// The nodes on both sides of the place `at` `[rad or mm]`.
     pub fn around(&self, at: f64) -> [usize; 2] {
         let first = self.parameter[0];
         let at = self
@@ -48,7 +48,7 @@ impl Nodes {
         self.closed.map_or(apart, |length| apart.rem_euclid(length))
     }
 
-    /// How far apart the nodes on both sides of a place are; at a node the longer of its two distances.
+    /// How far apart the nodes on both sides of a place are; at a node the longer of its two distances `[rad or mm]`.
     pub fn spacing(&self, at: f64) -> f64 {
         let [from, to] = self.around(at);
         let own = self.ahead(from, self.parameter[to]);
@@ -61,7 +61,7 @@ impl Nodes {
         if is_node { own.max(beyond) } else { own }
     }
 
-    /// The largest errors of nodes no farther from the node `k` than `reach`.
+    /// The largest errors `[MPa]` of nodes no farther from the node `k` than `reach` `[rad or mm]`.
     pub fn largest_near(&self, errors: &[Values], k: usize, reach: f64) -> Values {
         let count = self.count();
         let near = |node: usize| {
@@ -81,7 +81,7 @@ impl Nodes {
         })
     }
 
-    /// The values of `rows` at a place.
+    /// The values `[MPa]` of `rows` at the place `at` `[rad or mm]`.
     pub fn interpolated(&self, rows: &[EdgeRow], at: f64) -> Values {
         let [from, to] = self.around(at);
         let count = self.count();
@@ -141,12 +141,12 @@ impl EdgeGeometry {
     }
 }
 
-/// The values of a node.
+/// Pressure, shear and stress along the edge `[MPa]` at a node.
 pub fn values(row: &EdgeRow) -> Values {
     [row.pressure, row.shear, row.sigma_tangential]
 }
 
-/// Pressures, shears and stresses joined, each by `join`.
+/// Pressures, shears and stresses `[MPa]` joined, each by `join`.
 pub fn joined(one: Values, other: Values, join: impl Fn(f64, f64) -> f64) -> Values {
     std::array::from_fn(|k| join(one[k], other[k]))
 }

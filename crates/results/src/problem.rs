@@ -46,7 +46,7 @@ pub enum SitePart {
 pub struct Acting {
     /// Where it acts.
     pub site: Site,
-    /// Unit vector of its force; `None` of a pressure, against the outward normal.
+    /// Unit vector `[1]` of its force; `None` of a pressure, against the outward normal.
     pub direction: Option<[f64; 2]>,
 }
 

@@ -65,7 +65,7 @@ pub struct EdgeStrain {
 pub struct CurvePoint {
     /// Load step, from 0.
     pub step: usize,
-    /// Part of it that was reached.
+    /// Part of it that was reached `[1]`.
     pub reached: f64,
     /// Displacement of the pin against the far end of the plate, along the direction in which the pin bears, without
     /// [`ProgressiveFailure::free_travel`] `[mm]`: negative before the pin can bear.
@@ -125,7 +125,7 @@ impl ProgressiveFailure {
         self.losses.iter().find(fibre)
     }
 
-    /// Where strains at the edge differ from the linear ones by more than `part` of the largest linear strain: ranges of the angle from
+    /// Where strains at the edge differ from the linear ones by more than `part` `[1]` of the largest linear strain: ranges of the angle from
     /// the bearing point `[rad]`, from the first to the last point that does; equal ends where it is one. Of a half those of its side,
     /// positive; of a whole in (−π, π], one across ±π ending beyond π.
     pub fn departures(&self, part: f64) -> Vec<[f64; 2]> {

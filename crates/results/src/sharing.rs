@@ -14,9 +14,9 @@ const BALANCED: f64 = 1e-6;
 /// A part of a load, with its estimated error where contact forces have one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadShare {
-    /// The part.
+    /// The part `[1]`.
     pub part: f64,
-    /// Its estimated error.
+    /// Its estimated error `[1]`.
     pub error: Option<f64>,
 }
 

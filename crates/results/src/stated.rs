@@ -103,12 +103,12 @@ impl Stated {
 pub struct Errors(Vec<Option<f64>>);
 
 impl Errors {
-    /// The errors `error` of all stated numbers.
+    /// The errors `error` of all stated numbers, in base units.
     pub fn of(error: impl FnMut(Stated) -> Option<f64>) -> Self {
         Self(Stated::ALL.into_iter().map(error).collect())
     }
 
-    /// The error of `stated`; `None` where the number has none or none was estimated.
+    /// The error of `stated`, in its base unit; `None` where the number has none or none was estimated.
     pub fn get(&self, stated: Stated) -> Option<f64> {
         let at = Stated::ALL.iter().position(|own| *own == stated)?;
         self.0.get(at).copied().flatten()

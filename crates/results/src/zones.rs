@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-9;
 pub type ZoneRange = (Status, [f64; 2]);
 
 impl EdgeResults {
-    /// The place from which slip and friction are judged: the step's own bearing point, or that of the frame of `geometry`.
+    /// The place from which slip and friction are judged `[rad or mm]`: the step's own bearing point, or that of the frame of `geometry`.
     pub fn judged_from(&self, geometry: &EdgeGeometry) -> Option<f64> {
         self.bearing.or(geometry.frame.bearing)
     }

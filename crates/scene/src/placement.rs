@@ -108,7 +108,7 @@ pub fn middle(scene: &Scene) -> Point {
     [0, 1].map(|axis| f64::midpoint(low[axis], high[axis]))
 }
 
-/// `scene` about its [`middle`], which is returned as well: numbers there are relative to the size of its bodies, wherever these stand.
+/// `scene` about its [`middle`] `[mm]`, which is returned as well: numbers there are relative to the size of its bodies, wherever these stand.
 pub fn centred(scene: &Scene) -> (Scene, Point) {
     let middle = middle(scene);
     let mut centred = scene.clone();

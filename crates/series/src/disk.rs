@@ -40,7 +40,7 @@ const LARGEST_CIRCLE: f64 = 0.25;
 pub enum Anchor {
     /// At the centre. Its displacement by a force there is the mean on a circle about it with `circle` times the disk's radius, at most a quarter.
     Centre {
-        /// s.
+        /// The factor s `[1]`.
         circle: f64,
     },
     /// Evenly over the area.

@@ -49,7 +49,7 @@ pub enum SeriesError {
         case: usize,
         /// What it is.
         what: &'static str,
-        /// The value.
+        /// The value, in the unit of what it is.
         value: f64,
     },
     /// A load that does not mirror itself in the axis of a half model.
@@ -59,7 +59,7 @@ pub enum SeriesError {
         case: usize,
         /// What it is.
         what: &'static str,
-        /// The value.
+        /// The value, in the unit of what it is.
         value: f64,
     },
     /// A load that a support takes up at once.
@@ -83,9 +83,9 @@ pub enum SeriesError {
         "the circle about the centre has {ratio} of the disk's radius: more than 0 and at most {largest} are possible"
     )]
     CentreCircle {
-        /// Its radius over that of the disk.
+        /// Its radius over that of the disk `[1]`.
         ratio: f64,
-        /// The largest one.
+        /// The largest one `[1]`.
         largest: f64,
     },
     /// An outline that does not go around the hole.
@@ -116,7 +116,7 @@ pub enum SeriesError {
         ligament: f64,
         /// The hole's radius `[length]`.
         radius: f64,
-        /// Modes that it needs.
+        /// Number of modes that it needs `[1]`.
         needed: f64,
         /// The largest number.
         largest: i64,
@@ -141,7 +141,7 @@ pub enum SeriesError {
         "polynomials of degree {degree} leave {residual:.1e} of the mean traction on the outer edge"
     )]
     NotFitted {
-        /// What is left, relative.
+        /// What is left, relative to the mean traction `[1]`.
         residual: f64,
         /// The largest degree.
         degree: usize,

@@ -103,7 +103,7 @@ impl LineNodes {
         (0..self.len()).map(weight).collect()
     }
 
-    /// Mean ⟨f⟩_i of the function `f` of the place over each hat, n; in a half model over the half of the hat on the axis. Exact for polynomials of degree 14 on each side of a node.
+    /// Mean ⟨f⟩_i of the function `f` of the place `[length]` over each hat, n, in the unit of `f`; in a half model over the half of the hat on the axis. Exact for polynomials of degree 14 on each side of a node.
     pub fn mean(&self, f: impl Fn(f64) -> f64) -> Vec<f64> {
         let points = rule(8);
         let [mut sums, mut weights] = [(); 2].map(|()| vec![0.0; self.len()]);

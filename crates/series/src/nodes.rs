@@ -214,7 +214,7 @@ impl Nodes {
             .collect()
     }
 
-    /// Mean ⟨f⟩_i of the function `f` of the angle `[rad]` over each hat, n; in a half model over the half of it. Exact for
+    /// Mean ⟨f⟩_i of the function `f` of the angle `[rad]` over each hat, n, in the unit of `f`; in a half model over the half of it. Exact for
     /// polynomials of degree 14 on each side of a node.
     pub fn mean(&self, mut f: impl FnMut(f64) -> f64) -> Vec<f64> {
         let points = rule(8);

@@ -55,7 +55,7 @@ pub struct Fit {
     pub points: usize,
     /// Largest order |K| of the hole's modes at the outer edge.
     pub orders: usize,
-    /// Largest traction left on the outer edge, at points between those of the fit, relative to the mean one: of load cases over the loaded edges, of
+    /// Largest traction left on the outer edge, at points between those of the fit, relative to the mean one `[1]`: of load cases over the loaded edges, of
     /// tractions on the hole over the outline under a net force on the hole.
     pub residual: f64,
 }

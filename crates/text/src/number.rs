@@ -6,12 +6,12 @@ pub fn counted(count: usize, one: &str) -> String {
     format!("{count} {one}{plural}")
 }
 
-/// Four significant digits, without an exponent where the number is of ordinary size.
+/// Four significant digits of a number in any unit, without an exponent where the number is of ordinary size.
 pub fn short(value: f64) -> String {
     significant(value, 4)
 }
 
-/// `digits` significant digits for a reader; whole numbers are not cut below 10⁶.
+/// `digits` significant digits of a number in any unit, for a reader; whole numbers are not cut below 10⁶.
 pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".into();
@@ -38,7 +38,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// A fixed number of decimals, "–" where there is no value.
+/// A fixed number of decimals of a number in any unit, "–" where there is no value.
 pub fn decimals(value: Option<f64>, count: usize) -> String {
     match value {
         Some(value) if value.is_finite() => {
@@ -54,7 +54,7 @@ pub fn decimals(value: Option<f64>, count: usize) -> String {
     }
 }
 
-/// A value with at most twelve significant digits, so that a change of units leaves no tail of nines, and without a negative
+/// A value in its own unit with at most twelve significant digits, so that a change of units leaves no tail of nines, and without a negative
 /// zero; `None` if not finite.
 pub fn tidy(value: f64) -> Option<f64> {
     let positive_zero = value + 0.0;

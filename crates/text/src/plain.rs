@@ -58,7 +58,7 @@ pub fn csv_cell(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Returns the text that [`csv_cell`] made the cell of, for a text without control characters.
+/// The text that [`csv_cell`] made the cell of, for a text without control characters.
 pub fn csv_text(cell: &str) -> &str {
     match cell.strip_prefix('\'') {
         Some(text) if is_formula(text) => text,

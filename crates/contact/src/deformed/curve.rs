@@ -60,7 +60,7 @@ pub(super) struct Local {
 const ITERATIONS: usize = 40;
 
 impl Curve {
-    /// The edge through `nodes`, indices among the contact points of its body, at `parameter`, ascending, in cells of the polynomial order
+    /// The edge through `nodes`, indices among the contact points of its body, at `parameter` (s of `shape`, `[rad]` or `[length]`), ascending, in cells of the polynomial order
     /// `order`. A closed one begins at a corner node.
     ///
     /// # Errors
@@ -102,7 +102,7 @@ impl Curve {
         })
     }
 
-    /// The same where the displacements that belong to nodes are those at `places` instead, as those of means over hats of unequal widths are. By how much
+    /// The same where the displacements that belong to nodes are those at the parameters `places` (`[rad]` or `[length]`) instead, as those of means over hats of unequal widths are. By how much
     /// forces move along the edge remains a matter of the nodes, whose distances are their areas.
     ///
     /// # Errors
@@ -125,7 +125,7 @@ impl Curve {
         Self::new(self.shape, nodes, parameter, 1, self.ends)?.standing_at(places)
     }
 
-    /// The parameters to which the displacements of its nodes belong.
+    /// The parameters to which the displacements of its nodes belong, in the unit given.
     pub fn places(&self) -> &[f64] {
         &self.parameter
     }

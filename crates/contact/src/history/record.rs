@@ -48,7 +48,7 @@ pub struct StepRecord {
     pub parted: bool,
     /// Largest coefficient of friction of the points in contact at its end (dimensionless).
     pub coefficient: f64,
-    /// Estimate of the coefficient up to which its end has one solution, as by [`uniqueness_bound`](crate::uniqueness::uniqueness_bound); made once in a history,
+    /// Estimate of the coefficient `[1]` up to which its end has one solution, as by [`uniqueness_bound`](crate::uniqueness::uniqueness_bound); made once in a history,
     /// when all steps are done, for the step in which most points touch.
     pub uniqueness: Option<f64>,
     /// Increments accepted.

@@ -21,7 +21,7 @@ const CLOSED: f64 = 1e-9;
 /// Halvings in search of the part at which driven bodies touch.
 const HALVINGS: usize = 30;
 
-/// The state from which friction counts in the increment from `committed`, at the load multipliers `from`, to `target`: `committed` with its
+/// The state from which friction counts in the increment from `committed`, at the load multipliers `ends[0]` `[1]`, to `ends[1]`: `committed` with its
 /// bodies moved to where they begin to bear. `None` where there are contact forces, or nothing travels.
 pub fn travelled(
     problem: &InterfaceProblem,

@@ -13,9 +13,9 @@ const ROUNDING: f64 = 1e-9;
 /// The sizes of increments, and what refusals may cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Walker {
-    /// A whole increment, as a part of the load step: the largest that is tried.
+    /// A whole increment, as a part of the load step `[1]`: the largest that is tried.
     pub whole: f64,
-    /// Smallest part of a whole increment to which cut-back goes, in (0, 1].
+    /// Smallest part of a whole increment `[1]` to which cut-back goes, in (0, 1].
     pub smallest_part: f64,
     /// Floating-point operations that refused attempts of one walk may cost before it is cut back no further, or twice those of the
     /// most expensive attempt where that is more; `None` without a limit.
@@ -25,9 +25,9 @@ pub struct Walker {
 /// An increment to be tried. Places are parts of the load step, 0 at its start and 1 at its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadIncrement {
-    /// Where it begins.
+    /// Where it begins `[1]`.
     pub from: f64,
-    /// Where it ends.
+    /// Where it ends `[1]`.
     pub to: f64,
     /// Whether a refusal ends the walk, because cut-back goes no further.
     pub smallest: bool,
@@ -41,7 +41,7 @@ pub struct LoadIncrement {
 }
 
 impl LoadIncrement {
-    /// Whether it is longer than the part `part` of a whole increment.
+    /// Whether it is longer than the part `part` `[1]` of a whole increment.
     pub fn exceeds(&self, part: f64) -> bool {
         self.size > self.whole * part
     }
@@ -98,7 +98,7 @@ pub trait LoadPath {
 /// Where a walk came to its end before the end of the load step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blocked<R> {
-    /// Part of the load step that was reached.
+    /// Part of the load step that was reached `[1]`.
     pub reached: f64,
     /// Why the last attempt was refused.
     pub refusal: R,
@@ -116,7 +116,7 @@ pub struct Effort {
 }
 
 impl Walker {
-    /// Walks from the part `from` of the load step to the part `to`; returns with what `path` ended the walk, if it did before.
+    /// Walks from the part `from` of the load step to the part `to` `[1]`; returns with what `path` ended the walk, if it did before.
     ///
     /// # Errors
     /// [`Blocked`] if the smallest increment is refused, or if refusals cost more than they may.

@@ -31,9 +31,9 @@ pub enum MortarError {
     NotAscending {
         /// Place in the walk.
         node: usize,
-        /// Parameter there.
+        /// Parameter there, in the unit given.
         from: f64,
-        /// Parameter at the next node.
+        /// Parameter at the next node, in the unit given.
         to: f64,
     },
     /// A mid-side node lies outside the middle half of its edge, where the edge folds back on itself.
@@ -43,7 +43,7 @@ pub enum MortarError {
     MidSide {
         /// Place in the walk.
         node: usize,
-        /// Fraction of the edge.
+        /// Fraction of the edge `[1]`.
         fraction: f64,
     },
     /// The nodes inside an edge of order above 2 are so far from their places that the edge folds back on itself.
@@ -55,9 +55,9 @@ pub enum MortarError {
     /// A closed edge spans more than its period, or two closed edges differ in it.
     #[error("an edge spans {span} of a period of {period}")]
     Period {
-        /// What it spans.
+        /// What it spans, in the unit of the parameter.
         span: f64,
-        /// The period.
+        /// The period, in the unit of the parameter.
         period: f64,
     },
     /// A length or thickness is not positive.
@@ -65,7 +65,7 @@ pub enum MortarError {
     NotPositive {
         /// What it is.
         what: &'static str,
-        /// Its value.
+        /// Its value `[length]`.
         value: f64,
     },
     /// A position is needed of a node that has none.

@@ -41,7 +41,7 @@ pub struct Projection<'a> {
     pub length: f64,
     /// Thickness `[length]` of the contact.
     pub thickness: f64,
-    /// Unit normal e_n from the second body into the first at a parameter.
+    /// Unit normal e_n `[1]` from the second body into the first at a parameter.
     pub normal: &'a dyn Fn(f64) -> [f64; 2],
     /// Initial gap.
     pub gap: InitialGap<'a>,

@@ -15,7 +15,7 @@ pub struct EdgeSide {
 
 impl EdgeSide {
     /// A chain with two ends: `nodes` among the body's contact points in walk order, inner nodes of edges included, their
-    /// `parameter`, and the polynomial `order` of the edges.
+    /// `parameter` (`[length]` or `[rad]`), and the polynomial `order` of the edges.
     ///
     /// # Errors
     /// [`MortarError`] for an order that does not exist, lists that do not fit, a parameter that does not ascend strictly,
@@ -24,7 +24,7 @@ impl EdgeSide {
         Self::new(nodes, parameter, order, None)
     }
 
-    /// A chain whose last edge ends at the first node, one `period` of the parameter after it.
+    /// A chain whose last edge ends at the first node, one `period` of the parameter after it, in the unit of `parameter`.
     ///
     /// # Errors
     /// As [`EdgeSide::open`]; [`MortarError::Period`] if the nodes span the period or more.

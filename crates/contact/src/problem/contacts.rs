@@ -18,7 +18,7 @@ pub struct ContactPoint {
     pub first: Stencil,
     /// Where it stands on the second body.
     pub second: Stencil,
-    /// Unit normal e_n from the second body into the first; e_t is e_n turned by +90°.
+    /// Unit normal e_n `[1]` from the second body into the first; e_t is e_n turned by +90°.
     pub normal: [f64; 2],
     /// Initial gap g₀ `[length]`; negative for interference.
     pub gap: f64,
@@ -56,7 +56,7 @@ pub struct ProblemPoint {
     pub area: f64,
     /// Place handed to the friction law.
     pub place: Place,
-    /// Unit normal e_n.
+    /// Unit normal e_n `[1]`.
     pub normal: [f64; 2],
     /// What a unit normal and a unit tangential contact force do to the first body: force along x and y `[1]`, and moment
     /// about the origin `[length]`.

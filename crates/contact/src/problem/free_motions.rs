@@ -10,9 +10,9 @@ const NEGLIGIBLE: f64 = 1e-12;
 /// Rigid motions that the touching points do not resist.
 #[derive(Clone, Debug)]
 pub struct FreeMotions {
-    /// Orthonormal columns that span them, m × f.
+    /// Orthonormal columns that span them, m × f `[1]`.
     pub basis: DMatrix<f64>,
-    /// Orthogonal projector on them, m × m.
+    /// Orthogonal projector on them, m × m `[1]`.
     pub projector: DMatrix<f64>,
 }
 

@@ -26,7 +26,7 @@ pub struct Link {
     /// Flexibility F `[length/force]`, m × m, of the rigid motions of all of them in this order, in the units of their
     /// [`modes`](InterfaceOperator::modes).
     pub flexibility: DMatrix<f64>,
-    /// Motions N that the springs do not resist, m × p.
+    /// Motions N that the springs do not resist, m × p `[1]`.
     pub free: DMatrix<f64>,
 }
 
@@ -216,8 +216,8 @@ impl InterfaceProblem {
     }
 
     /// Amounts of the own rigid motions of body `body`, one for each column of its
-    /// [`modes`](InterfaceOperator::modes), where those of the problem are `rigid`, m, under contact forces `forces` `[force]`, 2n, and the load
-    /// multipliers `multipliers`: these strain the springs of a link.
+    /// [`modes`](InterfaceOperator::modes) and in its unit, where those of the problem are `rigid`, m, under contact forces `forces` `[force]`, 2n, and the load
+    /// multipliers `multipliers` `[1]`: these strain the springs of a link.
     pub fn motions_of_body(
         &self,
         body: usize,

@@ -38,7 +38,7 @@ impl Stencil {
         Self(terms)
     }
 
-    /// A weighted mean of nodes, normal and tangential alike: pairs of node and weight.
+    /// A weighted mean of nodes, normal and tangential alike: pairs of node and weight `[1]`.
     pub fn weighted(nodes: impl IntoIterator<Item = (usize, f64)>) -> Self {
         let term = |(node, weight)| StencilTerm {
             node,
@@ -94,7 +94,7 @@ impl StencilTerm {
 pub struct BodyRows {
     /// Index of the contact point.
     pub point: usize,
-    /// Node among the body's contact points, and the matrix that takes its displacement (x, y) into (normal, tangential)
+    /// Node among the body's contact points, and the matrix `[1]` that takes its displacement (x, y) into (normal, tangential)
     /// motion, with − for the second body of a pair.
     pub terms: Vec<(usize, Matrix2<f64>)>,
 }

@@ -16,9 +16,9 @@ use super::{FailureCause, InterfaceSolver, Step, StepFailure, StepSolution};
 /// Contact springs with multiplier updates.
 #[derive(Clone, Copy, Debug)]
 pub struct AugmentedLagrangian {
-    /// Stiffness of the springs, as a multiple of the inverse of the mean compliance of a contact component.
+    /// Stiffness of the springs, as a multiple of the inverse of the mean compliance of a contact component `[1]`.
     pub factor: f64,
-    /// Largest relative residual at which it stops.
+    /// Largest relative residual at which it stops `[1]`.
     pub tolerance: f64,
     /// Largest number of multiplier updates.
     pub limit: usize,

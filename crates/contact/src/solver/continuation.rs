@@ -15,7 +15,7 @@ use crate::state::TrialState;
 /// Continuation in the friction coefficient, then in the load.
 #[derive(Clone, Copy, Debug)]
 pub struct Continuation {
-    /// Smallest part of the way, beyond which a path is given up.
+    /// Smallest part of the way `[1]`, beyond which a path is given up.
     pub smallest: f64,
     /// Floating-point operations after which no further point of a path is sought.
     pub effort: u64,

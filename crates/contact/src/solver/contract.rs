@@ -44,9 +44,9 @@ pub enum Breach {
     Violated {
         /// The sample step.
         sample: &'static str,
-        /// Measured violation.
+        /// Measured violation `[1]`.
         found: f64,
-        /// What the solution may have, or says to have.
+        /// What the solution may have, or says to have `[1]`.
         said: f64,
     },
     /// A solver that is not declared experimental returns an answer that is not verified.
@@ -90,7 +90,7 @@ pub enum Breach {
     DependsOnUnits {
         /// The sample step.
         sample: &'static str,
-        /// Largest difference of a force, relative to the largest force.
+        /// Largest difference of a force, relative to the largest force `[1]`.
         difference: f64,
     },
 }

@@ -45,7 +45,7 @@ pub struct Frozen {
     pub rigid: DVector<f64>,
     /// Gap and slip increment `[length]`, 2n.
     pub motion: DVector<f64>,
-    /// Resultants that nothing resists, of the load and the slip tractions, if there are any.
+    /// Resultants `[force]`, m, that nothing resists, of the load and the slip tractions, if there are any.
     pub unbalanced: Option<DVector<f64>>,
 }
 
@@ -166,7 +166,7 @@ pub(super) fn lu_operations(order: u64) -> u64 {
 }
 
 impl FreeMotions {
-    /// The part along them of the load and of the contact forces `forces`; `None` where it is rounding.
+    /// The part `[force]`, m, along them of the load and of the contact forces `forces` `[force]`, 2n; `None` where it is rounding.
     pub fn unbalanced(&self, step: &Step<'_>, forces: &DVector<f64>) -> Option<DVector<f64>> {
         let mut resultants = step.mode_load.clone();
         resultants.gemv_tr(1.0, step.problem.modes(), forces, 1.0);

@@ -37,7 +37,7 @@ pub struct GaussSeidel {
     pub acceleration: Acceleration,
     /// Largest number of sweeps.
     pub limit: usize,
-    /// Largest relative residual at which it stops.
+    /// Largest relative residual at which it stops `[1]`.
     pub tolerance: f64,
 }
 

@@ -36,7 +36,7 @@ struct Guess {
 }
 
 impl<'a> Step<'a> {
-    /// The step from `committed` to the load multipliers `multipliers` (one per load case).
+    /// The step from `committed` to the load multipliers `multipliers` `[1]`, one per load case.
     pub fn new(
         problem: &'a InterfaceProblem,
         committed: &'a ContactState,
@@ -135,7 +135,7 @@ impl<'a> Step<'a> {
         self
     }
 
-    /// Multipliers of the load cases at the end of the step.
+    /// Multipliers of the load cases at the end of the step `[1]`.
     pub fn multipliers(&self) -> &[f64] {
         &self.multipliers
     }

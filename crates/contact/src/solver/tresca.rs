@@ -23,7 +23,7 @@ use crate::state::{Status, TrialState};
 pub struct TrescaFixedPoint {
     /// Largest number of updates of the bounds.
     pub limit: usize,
-    /// Largest relative residual at which it stops.
+    /// Largest relative residual at which it stops `[1]`.
     pub tolerance: f64,
 }
 

@@ -13,7 +13,7 @@ use stickslip_fem_core::mesh::Point;
 pub struct EdgeNodes {
     /// Ascending places of the points, in any unit.
     pub parameter: Vec<f64>,
-    /// Period after which a closed edge begins again.
+    /// Period after which a closed edge begins again, in the unit of `parameter`.
     pub closed: Option<f64>,
     /// Whether the first and the last point of an open edge lie on a line of symmetry.
     pub mirrored: [bool; 2],

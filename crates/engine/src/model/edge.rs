@@ -17,7 +17,7 @@ pub struct ModelEdge {
     pub order: usize,
     /// Arc length per node along e_t, the normal turned by +90° `[mm]`.
     pub along: Vec<f64>,
-    /// Unit normal per node: e_r on a circle, otherwise that of the edge with a part along +y.
+    /// Unit normal `[1]` per node: e_r on a circle, otherwise that of the edge with a part along +y.
     pub normals: Vec<[f64; 2]>,
     /// Tractions (σ_nn, τ_nt) per node of a unit reaction there along x and along y `[1/mm²]`; empty where nothing holds it.
     pub reactions: Vec<[[f64; 2]; 2]>,
@@ -31,7 +31,7 @@ pub struct ModelEdge {
     pub turn: f64,
     /// What lies at its first and its last node, if it touches another open edge.
     pub ends: [EdgeEnd; 2],
-    /// Tractions of the loads on it: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
+    /// Tractions of the loads on it: load case, and (σ_nn, τ_nt) `[MPa]` per node for a multiplier of one.
     pub tractions: Vec<(usize, Vec<[f64; 2]>)>,
 }
 
@@ -46,7 +46,7 @@ impl ModelEdge {
         [is_corner[0] && first, is_corner[1] && last]
     }
 
-    /// Puts at ends that are held beside this edge too what the line through the `tractions` of the next two nodes is there; of the three nodes between two
+    /// Puts at ends that are held beside this edge too what the line through the `tractions`, in any unit, of the next two nodes is there; of the three nodes between two
     /// others those of the middle one. Edges of one cell have no stresses.
     pub fn continue_to_shared_ends(&self, tractions: &mut [[f64; 2]]) {
         let (known, places) = (tractions.to_vec(), &self.geometry.parameter);

@@ -18,11 +18,11 @@ pub enum ModelError {
     TooManyNodes {
         /// The body.
         body: String,
-        /// Nodes that the scene asks for.
+        /// Number of nodes that the scene asks for `[1]`.
         nodes: f64,
         /// Memory of mesh, matrix and factor `[GB]`.
         gigabytes: f64,
-        /// Limit on the number of nodes.
+        /// Limit on the number of nodes `[1]`.
         limit: f64,
     },
     /// A mesh for which there is too little memory.
@@ -30,7 +30,7 @@ pub enum ModelError {
     TooLittleMemory {
         /// The body.
         body: String,
-        /// Nodes that the scene asks for.
+        /// Number of nodes that the scene asks for `[1]`.
         nodes: f64,
         /// The memory that it would take and the memory that there is, as text.
         message: String,

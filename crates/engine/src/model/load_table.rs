@@ -92,7 +92,7 @@ impl LoadTable {
         self.loads.iter().map(shown).collect()
     }
 
-    /// The loads where the history came to an end, at the part `reached` of its step `step`.
+    /// The loads where the history came to an end, at the part `reached` `[1]` of its step `step`.
     pub fn reached(&self, step: usize, reached: f64) -> Vec<LoadValue> {
         let part = if step == 0 && self.ramp == Ramp::Quadratic {
             reached * reached

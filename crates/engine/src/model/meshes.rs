@@ -23,7 +23,7 @@ use stickslip_scene::shape::{Divided, DivisionError, Meshing};
 
 /// Largest number of nodes of one body.
 pub const NODE_LIMIT: usize = 4_000_000;
-/// Bytes per node of mesh, matrix and factor, by which a mesh that is too large is reported: a factor of n unknowns of a
+/// Memory `[byte]` per node of mesh, matrix and factor, by which a mesh that is too large is reported: a factor of n unknowns of a
 /// plane mesh holds about 8 n log₂ n numbers.
 pub const BYTES_PER_NODE: f64 = 2.0 * 8.0 * 8.0 * 24.0;
 

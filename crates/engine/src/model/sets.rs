@@ -55,7 +55,7 @@ pub enum Measure {
         /// The nodes that are held, each with what its reaction is multiplied with: its part of `along`. `None` for all of a body that is held as a
         /// whole: by its area, a rigid one or one by series.
         nodes: Option<NodeWeights>,
-        /// What the resultant is multiplied with: the direction, of a half model by what the other half takes too.
+        /// What the resultant is multiplied with `[1]`: the direction, of a half model by what the other half takes too.
         along: [f64; 2],
         /// Given displacement along it `[mm]`.
         displacement: f64,
@@ -65,7 +65,7 @@ pub enum Measure {
 /// A weighted mean of displacements.
 #[derive(Clone, Debug)]
 pub enum Mean {
-    /// Over nodes of the mesh, with weights along x and y.
+    /// Over nodes of the mesh, with weights `[1]` along x and y.
     Nodes(Vec<(usize, [f64; 2])>),
     /// Over places `[mm]` of a body by series, which knows its displacement between nodes.
     Places(Vec<(Point, [f64; 2])>),

@@ -54,7 +54,7 @@ pub struct ReentrantCorner {
 }
 
 impl ReentrantCorner {
-    /// λ − 1 of the stress r^(λ − 1) that grows fastest towards it in an isotropic body with free sides, opened symmetrically:
+    /// Exponent λ − 1 `[1]` of the stress r^(λ − 1) that grows fastest towards it in an isotropic body with free sides, opened symmetrically:
     ///
     /// ```text
     /// sin(λ ω) + λ sin ω = 0,   ½ ≤ λ < 1

@@ -215,7 +215,7 @@ fn left_out(model: &Model, index: usize, mesh: &Mesh) -> Vec<(Point, f64)> {
     places.map(place).collect()
 }
 
-/// Whether stress at the place `at` of the body with the index `index` has no limit, or none that finer cells approach: beside a re-entrant corner, and where a traction of a load case
+/// Whether stress at the place `at` `[mm]` of the body with the index `index` has no limit, or none that finer cells approach: beside a re-entrant corner, and where a traction of a load case
 /// that `acts`, or of springs, ends along an edge.
 pub fn is_unlimited(model: &Model, index: usize, at: Point, acts: impl Fn(usize) -> bool) -> bool {
     let body = &model.bodies[index];
@@ -224,7 +224,7 @@ pub fn is_unlimited(model: &Model, index: usize, at: Point, acts: impl Fn(usize)
     is_near(model, index, at, (index, &nodes))
 }
 
-/// Whether the place `at` of the body with the index `index` is beside the edge with the index `edge`, its own or one that it touches.
+/// Whether the place `at` `[mm]` of the body with the index `index` is beside the edge with the index `edge`, its own or one that it touches.
 pub fn is_beside(model: &Model, index: usize, at: Point, edge: usize) -> bool {
     let edge = &model.edges[edge];
     is_near(model, index, at, (edge.geometry.body, &edge.nodes))

@@ -19,7 +19,7 @@ const NEAR: f64 = 2.0;
 /// How a body moves as a whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WholeMotion {
-    /// It slides along a unit vector.
+    /// It slides along a unit vector `[1]`.
     Slides([f64; 2]),
     /// It turns about a point in or beside it.
     Turns {
@@ -28,7 +28,7 @@ pub enum WholeMotion {
     },
     /// It turns while it slides along a unit vector.
     SlidesAndTurns {
-        /// The vector.
+        /// The unit vector `[1]`.
         along: [f64; 2],
         /// Whether it turns clockwise.
         clockwise: bool,

@@ -221,7 +221,7 @@ impl CondensedBody {
     }
 
     /// Displacements of all nodes `[length]`, interleaved, under interface forces `forces` (2n) `[force]`, load cases times
-    /// `multipliers`, and rigid motions `motions` (f): one pair of sparse triangular solves.
+    /// `multipliers`, and rigid motions `motions` (f) `[length]`: one pair of sparse triangular solves.
     pub fn displacements(&self, forces: &[f64], multipliers: &[f64], motions: &[f64]) -> Vec<f64> {
         let state = BodyLoad {
             forces,
@@ -277,7 +277,7 @@ impl CondensedBody {
         u
     }
 
-    /// Displacements of all nodes `[length]`, interleaved, by the free rigid motions with the amounts `motions` (f).
+    /// Displacements of all nodes `[length]`, interleaved, by the free rigid motions with the amounts `motions` (f) `[length]`.
     pub fn rigid_displacements(&self, motions: &[f64]) -> Vec<f64> {
         let motions = DVector::from_column_slice(motions);
         match &self.section {
@@ -331,9 +331,9 @@ impl CondensedBody {
 pub struct BodyLoad<'a> {
     /// Forces on the contact points `[force]`, xy interleaved, 2n.
     pub forces: &'a [f64],
-    /// Multiplier of each load case.
+    /// Multiplier of each load case `[1]`.
     pub multipliers: &'a [f64],
-    /// Amounts of the free rigid motions, f.
+    /// Amounts of the free rigid motions `[length]`, f.
     pub motions: &'a [f64],
 }
 

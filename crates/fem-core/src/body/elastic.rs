@@ -12,7 +12,7 @@ use crate::support::{Platen, SectionHold, Spring, Support};
 pub struct LoadCase {
     /// Nodal forces `[force]`, interleaved, 2 × nodes; empty for none.
     pub forces: Vec<f64>,
-    /// Initial (thermal) strain (ε_xx, ε_yy, γ_xy) per element block; empty for none. Its nodal forces are *not* in
+    /// Initial (thermal) strain (ε_xx, ε_yy, γ_xy) `[1]` per element block; empty for none. Its nodal forces are *not* in
     /// `forces`.
     pub initial_strain: Vec<[f64; 3]>,
     /// Whether this case drives the displacements of the supports.

@@ -17,7 +17,7 @@ pub enum BodyError {
         /// Blocks of the mesh.
         blocks: usize,
     },
-    /// The thickness is not a positive number.
+    /// The thickness `[length]` is not a positive number.
     #[error("thickness {0} is not positive")]
     Thickness(f64),
     /// A support, platen or interface names a node that the mesh does not have.
@@ -52,7 +52,7 @@ pub enum BodyError {
     Spring {
         /// Index of the spring.
         spring: usize,
-        /// Its stiffness.
+        /// Its stiffness, in the unit of [`Spring::stiffness`](crate::support::Spring::stiffness).
         stiffness: f64,
     },
     /// A platen is free along an axis in which supports elsewhere, or springs, hold the body.

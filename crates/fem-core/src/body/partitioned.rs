@@ -149,7 +149,7 @@ impl PartitionedBody {
     }
 
     /// Derivatives of outputs y = A Δ with respect to the prescribed displacements, one column of numbers per row of
-    /// `outputs`, one after the other: as many solves as outputs, in one pass through the factor.
+    /// `outputs`, one after the other: as many solves as outputs, in one pass through the factor. In the unit of an output per `[length]`.
     pub fn derivatives(&self, outputs: &[SparseRow]) -> Vec<f64> {
         let unknowns = self.unknowns();
         let mut sides = vec![0.0; unknowns * outputs.len()];

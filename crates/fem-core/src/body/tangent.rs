@@ -72,7 +72,7 @@ impl TangentBody {
         &self.tangents
     }
 
-    /// Linearises about the state with the strains `strains` and stresses `stresses` `[stress]`, one per quadrature point: a pass over
+    /// Linearises about the state with the strains `strains` `[1]` and stresses `stresses` `[stress]`, one per quadrature point: a pass over
     /// the cells and half a sparse solve.
     ///
     /// # Errors
@@ -130,7 +130,7 @@ pub struct Linearised {
 
 impl Linearised {
     /// Displacements of all nodes `[length]`, interleaved, under interface forces `forces` (2n) `[force]`, the body's load cases times
-    /// `multipliers`, the correction, and rigid motions `motions` (f): one pair of sparse triangular solves.
+    /// `multipliers`, the correction, and rigid motions `motions` (f) `[length]`: one pair of sparse triangular solves.
     pub fn displacements(&self, forces: &[f64], multipliers: &[f64], motions: &[f64]) -> Vec<f64> {
         let state = BodyLoad {
             forces,

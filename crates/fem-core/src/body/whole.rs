@@ -16,7 +16,7 @@ pub struct InterfaceUnknown {
     pub unknown: usize,
     /// Index of the contact point.
     pub point: usize,
-    /// Unit vector along which the unknown moves it.
+    /// Unit vector `[1]` along which the unknown moves it.
     pub axis: [f64; 2],
 }
 

@@ -23,7 +23,7 @@ const GAUSS_5: [(f64, f64); 5] = [
 pub type EdgeValues = [f64; MAX_ORDER + 1];
 
 /// Nodes and weights of Lobatto's rule on the edge of `order` 1 … [`MAX_ORDER`], in walk order; `None` for any other. The weights
-/// are ∫ Nₐ dξ.
+/// are ∫ Nₐ dξ `[1]`.
 pub const fn edge_nodes(order: usize) -> Option<&'static [(f64, f64)]> {
     Some(match order {
         1 => &const { lobatto::<2>() },
@@ -38,7 +38,7 @@ pub const fn edge_nodes(order: usize) -> Option<&'static [(f64, f64)]> {
     })
 }
 
-/// A Gauss rule on [−1, 1], abscissa and weight, for products of shape functions of an edge of `order` with the length of a curved
+/// A Gauss rule on [−1, 1], abscissa and weight `[1]`, for products of shape functions of an edge of `order` with the length of a curved
 /// edge: exact to degree 2p + 5 at least.
 pub const fn edge_rule(order: usize) -> &'static [(f64, f64)] {
     match order {
@@ -52,7 +52,7 @@ pub const fn edge_rule(order: usize) -> &'static [(f64, f64)] {
     }
 }
 
-/// Shape functions of an edge of polynomial `order` at ξ, in walk order. Zero for orders that do not exist.
+/// Shape functions `[1]` of an edge of polynomial `order` at ξ, in walk order. Zero for orders that do not exist.
 pub fn edge_shape(order: usize, xi: f64) -> EdgeValues {
     let mut values = EdgeValues::default();
     match order {
@@ -67,7 +67,7 @@ pub fn edge_shape(order: usize, xi: f64) -> EdgeValues {
     values
 }
 
-/// Slopes ∂N/∂ξ of [`edge_shape`].
+/// Slopes ∂N/∂ξ of [`edge_shape`] `[1]`.
 pub fn edge_slope(order: usize, xi: f64) -> EdgeValues {
     let mut slopes = EdgeValues::default();
     match order {

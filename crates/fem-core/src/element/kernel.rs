@@ -33,7 +33,7 @@ pub struct PhysicalGradients<const N: usize> {
 }
 
 impl<const N: usize> PhysicalGradients<N> {
-    /// Strain (ε_xx, ε_yy, γ_xy) of the nodal displacements `u` `[length]`.
+    /// Strain (ε_xx, ε_yy, γ_xy) `[1]` of the nodal displacements `u` `[length]`.
     pub fn strain(&self, u: &[[f64; 2]; N]) -> [f64; 3] {
         let mut strain = [0.0; 3];
         for ([gx, gy], [ux, uy]) in self.gradients.iter().zip(u) {
@@ -45,7 +45,7 @@ impl<const N: usize> PhysicalGradients<N> {
     }
 }
 
-/// Coordinates of one cell's nodes. `connectivity` holds `N` valid indices into `nodes`, as in every block of a
+/// Coordinates of one cell's nodes `[length]`. `connectivity` holds `N` valid indices into `nodes`, as in every block of a
 /// [`Mesh`](crate::mesh::Mesh).
 pub fn gather<const N: usize>(nodes: &[Point], connectivity: &[usize]) -> [Point; N] {
     std::array::from_fn(|a| nodes[connectivity[a]])
@@ -72,7 +72,7 @@ pub fn jacobian<const N: usize, E: Element<N>>(x: &[Point; N], xi: Point) -> Jac
     jacobian_of(x, &E::gradients(xi))
 }
 
-/// Gradients of the shape functions with respect to x and y at the reference point `xi`: the entries of the
+/// Gradients `[1/length]` of the shape functions with respect to x and y at the reference point `xi`: the entries of the
 /// strain–displacement matrix B.
 pub fn physical_gradients<const N: usize, E: Element<N>>(
     x: &[Point; N],
@@ -139,7 +139,7 @@ pub fn stiffness<const N: usize, E: Element<N>>(
     }
 }
 
-/// Nodal forces `[force]` by which an initial strain `strain` (ε_xx, ε_yy, γ_xy) loads the cell: f = t ∫ Bᵀ D ε₀ dA.
+/// Nodal forces `[force]` by which an initial strain `strain` (ε_xx, ε_yy, γ_xy) `[1]` loads the cell: f = t ∫ Bᵀ D ε₀ dA.
 ///
 /// `out` receives 2N numbers, interleaved; whatever it held before is overwritten. Arguments otherwise as for
 /// [`stiffness`].

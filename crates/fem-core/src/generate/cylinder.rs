@@ -53,7 +53,7 @@ pub struct CylinderOnBlock {
     pub inner: f64,
     /// Largest width of those cells, and depth of the first row `[length]`.
     pub spacing: f64,
-    /// Largest growth of cells from one to the next further out and further down, at least 1.
+    /// Largest growth of cells from one to the next further out and further down, at least 1 `[1]`.
     pub growth: f64,
     /// Grid lines x `[length]` instead of those that `inner`, `spacing` and `growth` make: increasing, from −L or in a half from 0 to L.
     pub columns: Option<Vec<f64>>,

@@ -52,7 +52,7 @@ pub struct Disk {
     pub extent: Extent,
     /// Angles of the rim's corner nodes `[rad]`, as for [`super::PlateWithHole`].
     pub angles: Vec<f64>,
-    /// Radius of the core's corners over the radius of the disk, between 0 and 1.
+    /// Radius of the core's corners over the radius of the disk `[1]`, between 0 and 1.
     pub core: f64,
     /// Rings of cells between the rim and the core.
     pub layers: usize,
@@ -63,7 +63,7 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// A core size that gives well-shaped cells.
+    /// A core size `[1]` that gives well-shaped cells.
     pub const CORE: f64 = 0.45;
 
     /// Checks the input and lays out the core.

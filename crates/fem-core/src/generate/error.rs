@@ -13,7 +13,7 @@ pub enum GenerateError {
     NotPositive {
         /// Name of the input.
         what: &'static str,
-        /// Its value.
+        /// Its value: a size `[length]` or a ratio `[1]`.
         value: f64,
     },
     /// A number that must be finite.
@@ -21,7 +21,7 @@ pub enum GenerateError {
     NotFinite {
         /// Name of the input.
         what: &'static str,
-        /// Its value.
+        /// Its value: a coordinate `[length]`, an angle `[rad]` or a fraction `[1]`.
         value: f64,
     },
     /// A size that must be smaller than another.
@@ -53,9 +53,9 @@ pub enum GenerateError {
         what: &'static str,
         /// Index of the entry.
         index: usize,
-        /// The entry before.
+        /// The entry before, in the unit of the list.
         previous: f64,
-        /// The entry.
+        /// The entry, in the unit of the list.
         value: f64,
     },
     /// A list that must start or end elsewhere.
@@ -65,7 +65,7 @@ pub enum GenerateError {
         what: &'static str,
         /// What it must be, as text.
         expected: &'static str,
-        /// What it is.
+        /// What it is, in the unit of the list.
         value: f64,
     },
     /// Explicit layer fractions that do not match the number of layers.

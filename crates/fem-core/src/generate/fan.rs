@@ -48,7 +48,7 @@ pub fn bisected_angles(extent: Extent, angles: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Computes (cos, sin) of `angle` `[rad]`, exact at multiples of a right angle, so that symmetry lines are straight to the last bit.
+/// Computes (cos, sin) `[1]` of `angle` `[rad]`, exact at multiples of a right angle, so that symmetry lines are straight to the last bit.
 pub fn unit_vector(angle: f64) -> Point {
     let quarters = angle / FRAC_PI_2;
     let nearest = quarters.round();

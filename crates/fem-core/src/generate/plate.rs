@@ -29,11 +29,11 @@ use crate::mesh::{Curve, ElementKind, Mesh};
 pub enum Outline {
     /// The strip −left ≤ x ≤ right, |y| ≤ half_width, all `[length]`.
     Strip {
-        /// Half the width of the strip.
+        /// Half the width of the strip `[length]`.
         half_width: f64,
-        /// Distance from the hole's centre to the left end.
+        /// Distance from the hole's centre to the left end `[length]`.
         left: f64,
-        /// Distance from the hole's centre to the right end.
+        /// Distance from the hole's centre to the right end `[length]`.
         right: f64,
     },
     /// A concentric circle.

@@ -48,7 +48,7 @@ pub(super) fn increasing(what: &'static str, list: &[f64]) -> Result<(), Generat
     }
 }
 
-/// `cells + 1` coordinates from `from` to `to` `[length]` whose spacing grows geometrically; `ratio` is the last spacing over
+/// `cells + 1` coordinates from `from` to `to` `[length]` whose spacing grows geometrically; `ratio` `[1]` is the last spacing over
 /// the first.
 ///
 /// # Errors
@@ -68,7 +68,7 @@ pub fn graded(from: f64, to: f64, cells: usize, ratio: f64) -> Result<Vec<f64>, 
     Ok(list)
 }
 
-/// As [`graded`], but symmetric about the middle: `ratio` is the spacing in the middle over that at both ends.
+/// Coordinates `[length]` as by [`graded`], but symmetric about the middle: `ratio` `[1]` is the spacing in the middle over that at both ends.
 ///
 /// # Errors
 /// As [`graded`]; `cells` must be even.
@@ -95,7 +95,7 @@ pub fn graded_both(
     Ok(list)
 }
 
-/// Coordinates from `from` to `to` `[length]` with a first spacing of about `first`, growing by at most `growth` ≥ 1 from cell
+/// Coordinates from `from` to `to` `[length]` with a first spacing of about `first`, growing by at most `growth` ≥ 1 `[1]` from cell
 /// to cell. The number of cells follows.
 ///
 /// # Errors

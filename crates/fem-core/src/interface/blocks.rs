@@ -131,7 +131,7 @@ impl BlockCompliance {
         self.part(&all, &all)
     }
 
-    /// The part of C in `rows` and `columns`.
+    /// The part of C `[length/force]` in `rows` and `columns`.
     pub fn part(&self, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
         let mut part = DMatrix::zeros(rows.len(), columns.len());
         let (above, beside) = (self.by_block(rows), self.by_block(columns));

@@ -41,7 +41,7 @@ pub enum Breach {
     /// The compliance is not symmetric.
     #[error("the compliance is asymmetric by {difference:.1e} of its largest entry")]
     Asymmetric {
-        /// Largest difference, relative to the largest entry.
+        /// Largest difference, relative to the largest entry `[1]`.
         difference: f64,
     },
     /// A force does negative work.
@@ -49,7 +49,7 @@ pub enum Breach {
         "the compliance has an eigenvalue of {ratio:.1e} times the largest: the body would release energy"
     )]
     Indefinite {
-        /// Least eigenvalue over the largest.
+        /// Least eigenvalue over the largest `[1]`.
         ratio: f64,
     },
     /// A free motion deforms the contact.
@@ -57,7 +57,7 @@ pub enum Breach {
     NotRigid {
         /// Index of the motion.
         motion: usize,
-        /// Largest difference, relative to its largest displacement.
+        /// Largest difference, relative to its largest displacement `[1]`.
         difference: f64,
     },
     /// The resultant of a load case is not that of its forces.

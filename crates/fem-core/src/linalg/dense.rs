@@ -12,7 +12,7 @@ use thiserror::Error;
 pub struct SingularMatrix {
     /// Number of rows.
     pub order: usize,
-    /// Smallest over largest magnitude of the pivots.
+    /// Smallest over largest magnitude of the pivots `[1]`.
     pub pivot_ratio: f64,
 }
 
@@ -30,7 +30,7 @@ fn column(x: &mut DVector<f64>) -> MatMut<'_, f64> {
     MatMut::from_column_major_slice_mut(x.as_mut_slice(), n, 1)
 }
 
-/// Computes (L Lᵀ)⁻¹, n × n, both triangles, from the lower triangle of L, n × n; what stands above it is ignored.
+/// Computes (L Lᵀ)⁻¹, n × n, both triangles, from the lower triangle of L, n × n; what stands above it is ignored. In the inverse of the unit of L Lᵀ.
 pub fn invert_from_cholesky(lower: &DMatrix<f64>) -> DMatrix<f64> {
     let n = lower.nrows();
     let mut inverse = DMatrix::zeros(n, n);
@@ -45,12 +45,12 @@ pub fn invert_from_cholesky(lower: &DMatrix<f64>) -> DMatrix<f64> {
     inverse
 }
 
-/// Overwrites `x`, n entries, with L⁻¹ x; of `lower`, n × n, only the lower triangle is read.
+/// Overwrites `x`, n entries, with L⁻¹ x, in any units; of `lower`, n × n, only the lower triangle is read.
 pub fn solve_lower(lower: &DMatrix<f64>, x: &mut DVector<f64>) {
     triangular_solve::solve_lower_triangular_in_place(view(lower), column(x), Par::Seq);
 }
 
-/// Overwrites `x`, n entries, with L⁻ᵀ x; of `lower`, n × n, only the lower triangle is read.
+/// Overwrites `x`, n entries, with L⁻ᵀ x, in any units; of `lower`, n × n, only the lower triangle is read.
 pub fn solve_lower_transposed(lower: &DMatrix<f64>, x: &mut DVector<f64>) {
     triangular_solve::solve_upper_triangular_in_place(view(lower).transpose(), column(x), Par::Seq);
 }
@@ -64,7 +64,7 @@ pub struct DenseLu {
 }
 
 impl DenseLu {
-    /// Factorises the square matrix `matrix`.
+    /// Factorises the square matrix `matrix`, in any unit.
     ///
     /// # Errors
     /// [`SingularMatrix`] if a pivot vanishes beside the largest one (ratio below 1e-15), or is not a number.
@@ -104,7 +104,7 @@ impl DenseLu {
         })
     }
 
-    /// Overwrites `x`, one entry per row of A, with A⁻¹ x.
+    /// Overwrites `x`, one entry per row of A, with A⁻¹ x, in any units.
     pub fn solve(&self, x: &mut DVector<f64>) {
         let n = self.factors.nrows();
         if n == 0 {

@@ -16,7 +16,7 @@ pub struct SparseMatrix {
     pub column_start: Vec<usize>,
     /// Row index of each entry.
     pub rows: Vec<usize>,
-    /// Value of each entry; zeros may be stored.
+    /// Value of each entry, in any unit; zeros may be stored.
     pub values: Vec<f64>,
 }
 
@@ -97,7 +97,7 @@ impl<'a> SparseLu<'a> {
         Ok(Self { structure, factors })
     }
 
-    /// Overwrites `x`, one entry per unknown, with A⁻¹ x.
+    /// Overwrites `x`, one entry per unknown, with A⁻¹ x, in any units.
     pub fn solve(&self, x: &mut [f64]) {
         let symbolic = &self.structure.0;
         let rows = symbolic.nrows();

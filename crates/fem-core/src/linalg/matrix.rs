@@ -32,12 +32,12 @@ impl Matrix {
         Self(Mat::identity(order, order))
     }
 
-    /// Makes a `rows` × `columns` matrix from `entry(row, column)`, called column by column.
+    /// Makes a `rows` × `columns` matrix from `entry(row, column)`, called column by column, in any unit.
     pub fn from_fn(rows: usize, columns: usize, entry: impl FnMut(usize, usize) -> f64) -> Self {
         Self(Mat::from_fn(rows, columns, entry))
     }
 
-    /// Makes the matrix of one column with the entries `values`.
+    /// Makes the matrix of one column with the entries `values`, in any unit.
     pub fn column(values: &[f64]) -> Self {
         Self::from_fn(values.len(), 1, |i, _| values[i])
     }
@@ -70,7 +70,7 @@ impl Matrix {
         product(self.0.transpose(), other.0.as_ref())
     }
 
-    /// Computes A x, `x` having as many entries as A has columns.
+    /// Computes A x, in the unit of A times that of `x`, `x` having as many entries as A has columns.
     pub fn multiply_vector(&self, x: &[f64]) -> Vec<f64> {
         let x = MatRef::from_column_major_slice(x, x.len(), 1);
         product(self.0.as_ref(), x).to_row_major()
@@ -87,7 +87,7 @@ impl Matrix {
         })
     }
 
-    /// Lists the entries row by row.
+    /// Lists the entries row by row, in the unit of the matrix.
     pub fn to_row_major(&self) -> Vec<f64> {
         (0..self.rows())
             .flat_map(|i| (0..self.columns()).map(move |j| self[(i, j)]))

@@ -22,7 +22,7 @@ pub struct LowerMatrix {
     pub column_start: Vec<usize>,
     /// Row index of each entry.
     pub rows: Vec<usize>,
-    /// Value of each entry.
+    /// Value of each entry, in any unit.
     pub values: Vec<f64>,
 }
 
@@ -58,7 +58,7 @@ impl LowerMatrix {
         (start, rows)
     }
 
-    /// Computes y = K x with the full symmetric matrix; `x` and y have one entry per unknown.
+    /// Computes y = K x with the full symmetric matrix, in the unit of K times that of `x`; `x` and y have one entry per unknown.
     pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; x.len()];
         for column in 0..self.order() {
@@ -188,21 +188,21 @@ impl SparseCholesky {
         }
     }
 
-    /// Overwrites `x`, one or more columns of one entry per unknown, one after the other, with L⁻¹ x.
+    /// Overwrites `x`, one or more columns of one entry per unknown, one after the other, with L⁻¹ x, in any units.
     pub fn solve_lower(&self, x: &mut [f64]) {
         self.with_factor(x, |factor, x, stack| {
             factor.l_solve_with_conj(Conj::No, x, Par::Seq, stack);
         });
     }
 
-    /// Overwrites `x`, columns as for [`solve_lower`](Self::solve_lower), with L⁻ᵀ x.
+    /// Overwrites `x`, columns as for [`solve_lower`](Self::solve_lower), with L⁻ᵀ x, in any units.
     pub fn solve_lower_transposed(&self, x: &mut [f64]) {
         self.with_factor(x, |factor, x, stack| {
             factor.l_transpose_solve_with_conj(Conj::No, x, Par::Seq, stack);
         });
     }
 
-    /// Overwrites `x`, columns as for [`solve_lower`](Self::solve_lower), with K⁻¹ x.
+    /// Overwrites `x`, columns as for [`solve_lower`](Self::solve_lower), with K⁻¹ x, in any units.
     pub fn solve(&self, x: &mut [f64]) {
         self.solve_lower(x);
         self.solve_lower_transposed(x);

@@ -55,7 +55,7 @@ pub struct DenseCholesky {
 }
 
 impl DenseCholesky {
-    /// Factorises the square matrix `matrix`, whose upper triangle is ignored.
+    /// Factorises the square matrix `matrix`, in any unit, whose upper triangle is ignored.
     ///
     /// # Errors
     /// [`NotPositiveDefinite`] with the first row whose pivot is not positive.
@@ -76,29 +76,29 @@ impl DenseCholesky {
         Ok(Self { lower })
     }
 
-    /// The factor L, with zeros above its diagonal.
+    /// The factor L, with zeros above its diagonal, in the root of the unit of A.
     pub fn lower(&self) -> &Matrix {
         &self.lower
     }
 
-    /// Overwrites each column x of `columns` with L⁻¹ x.
+    /// Overwrites each column x of `columns` with L⁻¹ x, in any units.
     pub fn solve_lower(&self, columns: &mut Matrix) {
         solve_lower_triangular_in_place(self.lower.0.as_ref(), columns.0.as_mut(), Par::Seq);
     }
 
-    /// Overwrites each column x of `columns` with L⁻ᵀ x.
+    /// Overwrites each column x of `columns` with L⁻ᵀ x, in any units.
     pub fn solve_lower_transposed(&self, columns: &mut Matrix) {
         solve_upper_triangular_in_place(self.lower.0.transpose(), columns.0.as_mut(), Par::Seq);
     }
 
-    /// Computes L⁻¹ x for a vector `x` with as many entries as A has rows.
+    /// Computes L⁻¹ x, in the unit of x over that of L, for a vector `x` with as many entries as A has rows.
     pub fn whiten(&self, x: &[f64]) -> Vec<f64> {
         let mut column = Matrix::column(x);
         self.solve_lower(&mut column);
         column.to_row_major()
     }
 
-    /// Computes the inverse A⁻¹ = L⁻ᵀ L⁻¹, both triangles.
+    /// Computes the inverse A⁻¹ = L⁻ᵀ L⁻¹, both triangles, in the inverse of the unit of A.
     pub fn inverse(&self) -> Matrix {
         let mut half = Matrix::identity(self.lower.rows());
         self.solve_lower(&mut half);
@@ -109,14 +109,14 @@ impl DenseCholesky {
 /// `A = Q diag(λ) Qᵀ` of a dense symmetric matrix.
 #[derive(Clone, Debug)]
 pub struct SymmetricEigen {
-    /// Eigenvalues λ, ascending.
+    /// Eigenvalues λ, ascending, in the unit of A.
     pub values: Vec<f64>,
-    /// Orthonormal eigenvectors, the columns of Q, in the order of the values.
+    /// Orthonormal eigenvectors `[1]`, the columns of Q, in the order of the values.
     pub vectors: Matrix,
 }
 
 impl SymmetricEigen {
-    /// Decomposes the square matrix `matrix`, whose upper triangle is ignored.
+    /// Decomposes the square matrix `matrix`, in any unit, whose upper triangle is ignored.
     ///
     /// # Errors
     /// [`NoEigenvalues`] if the iteration does not converge, as for entries that are not finite.

@@ -11,13 +11,13 @@ use nalgebra::DMatrix;
 use super::SparseCholesky;
 
 impl SparseCholesky {
-    /// Copies the trailing block of L, `count` × `count`, lower triangular; `count` is at most the number of unknowns.
+    /// Copies the trailing block of L, `count` × `count`, lower triangular, in the unit of L; `count` is at most the number of unknowns.
     pub fn trailing_block(&self, count: usize) -> DMatrix<f64> {
         let order = self.unknowns();
         self.block(order - count..order, order - count..order)
     }
 
-    /// Copies the part of L in `rows` and `columns`.
+    /// Copies the part of L in `rows` and `columns`, in the unit of L.
     pub fn block(&self, rows: Range<usize>, columns: Range<usize>) -> DMatrix<f64> {
         let mut block = DMatrix::zeros(rows.len(), columns.len());
         let Some(factor) = self.supernodal() else {
@@ -52,7 +52,7 @@ impl SparseCholesky {
         block
     }
 
-    /// Overwrites `x`, columns of one entry for each unknown from `first` on, with T⁻¹ x, T the trailing block of L from there.
+    /// Overwrites `x`, columns of one entry for each unknown from `first` on, with T⁻¹ x, T the trailing block of L from there, in any units.
     pub fn solve_trailing(&self, first: usize, x: &mut DMatrix<f64>) {
         let Some(factor) = self.supernodal() else {
             return;

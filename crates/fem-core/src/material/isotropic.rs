@@ -19,7 +19,7 @@ pub struct Isotropic {
 }
 
 impl Isotropic {
-    /// Material with Young's modulus `young` `[stress]` and Poisson's ratio `poisson`, without thermal expansion.
+    /// Material with Young's modulus `young` `[stress]` and Poisson's ratio `poisson` `[1]`, without thermal expansion.
     ///
     /// # Errors
     /// [`MaterialError::Modulus`] unless `young` is positive and finite; [`MaterialError::Poisson`] unless
@@ -59,7 +59,7 @@ impl Isotropic {
         self.young
     }
 
-    /// Poisson's ratio ν.
+    /// Poisson's ratio ν `[1]`.
     pub fn poisson(&self) -> f64 {
         self.poisson
     }

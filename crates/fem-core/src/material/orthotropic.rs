@@ -22,7 +22,7 @@ pub struct OrthotropicConstants {
     pub e2: f64,
     /// Shear modulus in the 1–2 plane `[stress]`.
     pub g12: f64,
-    /// Poisson's ratio −ε₂/ε₁ for stress along 1.
+    /// Poisson's ratio −ε₂/ε₁ for stress along 1 `[1]`.
     pub nu12: f64,
 }
 
@@ -31,9 +31,9 @@ pub struct OrthotropicConstants {
 pub struct OutOfPlane {
     /// Young's modulus along 3 `[stress]`.
     pub e3: f64,
-    /// Poisson's ratio −ε₃/ε₁ for stress along 1.
+    /// Poisson's ratio −ε₃/ε₁ for stress along 1 `[1]`.
     pub nu13: f64,
-    /// Poisson's ratio −ε₃/ε₂ for stress along 2.
+    /// Poisson's ratio −ε₃/ε₂ for stress along 2 `[1]`.
     pub nu23: f64,
     /// Coefficient of thermal expansion along 3 `[1/temperature]`.
     pub alpha3: f64,

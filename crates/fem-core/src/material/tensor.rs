@@ -9,13 +9,13 @@
 
 use super::PlaneStiffness;
 
-/// Matrix times vector: the stress `[stress]` of the strain `strain` under the stiffness `matrix`, or the strain of a stress
+/// Matrix times vector: the stress `[stress]` of the strain `strain` under the stiffness `matrix`, or the strain `[1]` of a stress
 /// under a compliance.
 pub fn apply(matrix: &PlaneStiffness, strain: [f64; 3]) -> [f64; 3] {
     matrix.map(|row| row[0] * strain[0] + row[1] * strain[1] + row[2] * strain[2])
 }
 
-/// Inverse of a symmetric positive definite matrix, by cofactors and symmetric to the last bit. Entries are not finite
+/// Inverse of a symmetric positive definite matrix, in the inverse of its unit, by cofactors and symmetric to the last bit. Entries are not finite
 /// where `matrix` is singular.
 pub fn inverse(matrix: &PlaneStiffness) -> PlaneStiffness {
     // A shear stiffness of another magnitude than the rest must not underflow the determinant: scale to a unit diagonal.
@@ -66,7 +66,7 @@ pub fn rotated_stiffness(stiffness: &PlaneStiffness, axis: [f64; 2]) -> PlaneSti
     congruence(&transpose(&strain_rotation([axis[0], -axis[1]])), stiffness)
 }
 
-/// The strain (ε_xx, ε_yy, γ_xy) in axes whose first direction is the unit vector `axis`.
+/// The strain `strain` (ε_xx, ε_yy, γ_xy) `[1]`, given in (x, y), in axes whose first direction is the unit vector `axis`.
 pub fn rotated_strain(strain: [f64; 3], axis: [f64; 2]) -> [f64; 3] {
     apply(&strain_rotation(axis), strain)
 }

@@ -63,7 +63,7 @@ pub enum MeshError {
         block: String,
         /// Determinant of the Jacobian `[length²]`.
         determinant: f64,
-        /// Reference point where it was found.
+        /// Reference point where it was found `[1]`.
         at: Point,
     },
     /// A cell's Jacobian vanishes to rounding.
@@ -78,7 +78,7 @@ pub enum MeshError {
         block: String,
         /// Determinant of the Jacobian `[length²]`.
         determinant: f64,
-        /// Reference point where it was found.
+        /// Reference point where it was found `[1]`.
         at: Point,
     },
     /// A set contains an index that does not exist.

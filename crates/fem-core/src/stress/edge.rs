@@ -37,7 +37,7 @@ pub enum PathEnd {
     /// The end lies on a line of symmetry of body, material and load, which crosses the edge at a right angle; beyond it
     /// the path is its own mirror image. On the x axis, u_x is even and u_y odd.
     Mirror {
-        /// Unit vector along the line of symmetry: (1, 0) for the x axis.
+        /// Unit vector `[1]` along the line of symmetry: (1, 0) for the x axis.
         axis: [f64; 2],
     },
 }
@@ -65,12 +65,12 @@ pub struct EdgeData<'a> {
     /// Position along the exact curve, growing in the direction of t `[length]`. It may fall along the walk; on a circle
     /// with n = e_r it is R θ.
     pub parameter: &'a [f64],
-    /// Place of each node on the exact curve, from any point of the axis of a mirror and on any scale: those of a circle or of a straight line may be
+    /// Place of each node on the exact curve, from any point of the axis of a mirror and in any unit: those of a circle or of a straight line may be
     /// its normals.
     pub place: &'a [[f64; 2]],
     /// Displacement (u_x, u_y) `[length]`.
     pub displacement: &'a [[f64; 2]],
-    /// Unit normal n of the exact curve, on either side; t is n turned by +90°.
+    /// Unit normal n `[1]` of the exact curve, on either side; t is n turned by +90°.
     pub normal: &'a [[f64; 2]],
     /// σ_nn `[stress]`, tension positive.
     pub normal_stress: &'a [f64],
@@ -89,7 +89,7 @@ pub struct EdgeStress {
     pub shear: f64,
 }
 
-/// All three stresses at every node of `edge`, which bounds a body of `material`; `initial_strain` (ε_xx, ε_yy, γ_xy) is the
+/// All three stresses at every node of `edge`, which bounds a body of `material`; `initial_strain` (ε_xx, ε_yy, γ_xy) `[1]` is the
 /// strain without stress, such as [`Material::thermal_strain`].
 ///
 /// # Errors

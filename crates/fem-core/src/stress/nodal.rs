@@ -60,7 +60,7 @@ impl NodalStresses {
         mean.into_values()
     }
 
-    /// The mean, as [`Self::averaged`], of a quantity that `of` makes of a block's index and the stress there: one per node.
+    /// The mean, as [`Self::averaged`], of a quantity that `of` makes of a block's index and the stress `[stress]` there: one per node, in the unit of `of`.
     pub fn averaged_of(&self, of: impl Fn(usize, [f64; 3]) -> f64) -> Vec<f64> {
         let mut mean = Mean::new(self.node_count);
         for (index, block) in self.blocks.iter().enumerate() {
@@ -151,7 +151,7 @@ impl Mean {
     }
 }
 
-/// The matrix that takes values at the quadrature points of a cell of `kind` (columns) to values at its nodes (rows): what
+/// The matrix `[1]` that takes values at the quadrature points of a cell of `kind` (columns) to values at its nodes (rows): what
 /// [`ElasticField::nodal_stresses`] does in each cell.
 pub fn extrapolation(kind: ElementKind) -> DMatrix<f64> {
     with_element(kind, Extrapolation)

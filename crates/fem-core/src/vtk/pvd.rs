@@ -7,7 +7,7 @@ use super::{VtkError, escaped};
 /// One file of a collection.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PvdEntry {
-    /// Time or load step.
+    /// Time, in any unit, or load step.
     pub time: f64,
     /// Number of the part among the files of the same time, such as the body.
     pub part: usize,

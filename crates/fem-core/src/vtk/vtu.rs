@@ -14,7 +14,7 @@ pub struct Field<'a> {
     pub name: &'a str,
     /// Numbers per node or cell, 1 to 9: 1 a scalar, 3 a vector, 9 a tensor by rows.
     pub components: usize,
-    /// All numbers, node by node or cell by cell in the mesh's order.
+    /// All numbers, node by node or cell by cell in the mesh's order, in any unit.
     pub values: &'a [f64],
 }
 

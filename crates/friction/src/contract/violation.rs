@@ -42,7 +42,7 @@ impl Quantity {
         Self::SlipDs,
     ];
 
-    /// This number of `bound`.
+    /// This number of `bound`, in the unit of that field.
     pub fn of(self, bound: &Bound) -> f64 {
         match self {
             Self::Stick => bound.stick,
@@ -99,7 +99,7 @@ pub enum Breach {
     NotFinite {
         /// Which number.
         quantity: Quantity,
-        /// The number.
+        /// The number, in the unit of `quantity`.
         value: f64,
         /// Where.
         at: State,
@@ -109,7 +109,7 @@ pub enum Breach {
     Negative {
         /// Which number.
         quantity: Quantity,
-        /// The number.
+        /// The number, in the unit of `quantity`.
         value: f64,
         /// Where.
         at: State,
@@ -119,7 +119,7 @@ pub enum Breach {
     NotZeroWithoutPressure {
         /// Which number.
         quantity: Quantity,
-        /// The number.
+        /// The number, in the unit of `quantity`.
         value: f64,
         /// Where.
         at: State,
@@ -139,9 +139,9 @@ pub enum Breach {
     /// The stick bound depends on the slip of the step in progress.
     #[error("stick = {value}, but {without} without slip, at {at}")]
     StickDependsOnSlip {
-        /// `stick` at the state.
+        /// `stick` at the state `[stress]`.
         value: f64,
-        /// `stick` there without slip increment.
+        /// `stick` there without slip increment `[stress]`.
         without: f64,
         /// Where.
         at: State,
@@ -151,9 +151,9 @@ pub enum Breach {
         "slip = {slip} exceeds stick = {stick}, and the law does not declare that it strengthens, at {at}"
     )]
     SlipAboveStick {
-        /// Traction of a slipping point.
+        /// Traction of a slipping point `[stress]`.
         slip: f64,
-        /// Bound of a sticking point.
+        /// Bound of a sticking point `[stress]`.
         stick: f64,
         /// Where.
         at: State,
@@ -165,11 +165,11 @@ pub enum Breach {
     WrongDerivative {
         /// Which derivative.
         quantity: Quantity,
-        /// The derivative that the law gives.
+        /// The derivative that the law gives, in the unit of `quantity`.
         stated: f64,
-        /// Central difference of the value.
+        /// Central difference of the value, in the unit of `quantity`.
         difference: f64,
-        /// Largest accepted distance between the two.
+        /// Largest accepted distance between the two, in the unit of `quantity`.
         tolerance: f64,
         /// Where.
         at: State,
@@ -179,7 +179,7 @@ pub enum Breach {
     NotLinear {
         /// The bound.
         bound: Bound,
-        /// μ at the same place and past under another pressure.
+        /// μ (dimensionless) at the same place and past under another pressure.
         coefficient: f64,
         /// Where.
         at: State,

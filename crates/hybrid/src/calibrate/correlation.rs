@@ -21,16 +21,16 @@ pub struct Residual {
     pub place: [f64; 2],
     /// Residuals of one field are compared with each other: one component of one state.
     pub field: usize,
-    /// Measured less predicted over the standard deviation.
+    /// Measured less predicted over the standard deviation `[1]`.
     pub value: f64,
 }
 
 /// Correlation of the errors of neighbouring data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
-    /// Variance of a sum of data over that of independent data with their stated standard deviations, at least 1.
+    /// Variance of a sum of data over that of independent data with their stated standard deviations `[1]`, at least 1.
     pub inflation: f64,
-    /// Mean sum of the squares of a datum's correlations with all data, itself included; at least 1.
+    /// Mean sum of the squares of a datum's correlations with all data, itself included `[1]`; at least 1.
     pub squares: f64,
 }
 

@@ -8,20 +8,20 @@ use crate::least_squares::{dot, orthogonalise};
 /// Errors of a block of data.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Noise {
-    /// Independent, with these standard deviations, positive.
+    /// Independent, with these standard deviations, positive, in the unit of the data.
     Independent(Vec<f64>),
-    /// With this covariance, square, row by row, positive definite.
+    /// With this covariance, square, row by row, positive definite, in products of the units of the data.
     Correlated(Vec<f64>),
 }
 
 /// Data whose errors are independent of those of all other blocks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
-    /// What was measured.
+    /// What was measured, in any unit.
     pub values: Vec<f64>,
     /// Its errors.
     pub noise: Noise,
-    /// What may be added to the values in any amount without anybody's asking, one list per unknown amount; lists that depend on others
+    /// What may be added to the values in any amount without anybody's asking, one list per unknown amount, in the unit of the values; lists that depend on others
     /// count once.
     pub nuisance: Vec<Vec<f64>>,
 }
@@ -51,9 +51,9 @@ struct Shape {
 /// How much of the shape of an error a prediction leaves in a block of data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
-    /// The most likely amount.
+    /// The most likely amount, in standard deviations `[1]`.
     pub value: f64,
-    /// Its standard deviation by the data and by what was known before, which is 1.
+    /// Its standard deviation `[1]` by the data and by what was known before, which is 1.
     pub deviation: f64,
 }
 
@@ -122,7 +122,7 @@ impl Data {
         Ok(self)
     }
 
-    /// The amount of its [shape](Self::with_shapes) that each block shows beside a prediction; `None` for blocks without.
+    /// The amount of its [shape](Self::with_shapes) that each block shows beside a prediction in the units of the data; `None` for blocks without.
     pub fn amounts(&self, predicted: &[f64]) -> Vec<Option<Amount>> {
         let mut rest = predicted;
         let each = self.blocks.iter().map(|block| {
@@ -149,7 +149,7 @@ impl Data {
         self.blocks.iter().map(|block| block.nuisance.len()).sum()
     }
 
-    /// What is left of data less prediction when the nuisances have taken what they can, in standard deviations. `predicted` has as many
+    /// What is left of data less prediction when the nuisances have taken what they can, in standard deviations `[1]`. `predicted` has as many
     /// entries as there are [data](Self::count).
     pub fn residual(&self, predicted: &[f64]) -> Vec<f64> {
         self.each(predicted, Whitened::residual)
@@ -160,7 +160,7 @@ impl Data {
         self.residual(predicted).iter().map(|r| r * r).sum()
     }
 
-    /// The prediction with the amounts of nuisances and shapes that fit best.
+    /// The prediction with the amounts of nuisances and shapes that fit best, in the units of the data.
     pub fn fitted(&self, predicted: &[f64]) -> Vec<f64> {
         self.each(predicted, |block, predicted| {
             let mut left = block.left(predicted);

@@ -16,12 +16,12 @@ pub enum CalibrateError {
     Range {
         /// Name of the parameter.
         name: String,
-        /// The range.
+        /// The range, in the unit of the parameter.
         range: [f64; 2],
         /// Whether it is divided evenly in the logarithm.
         logarithmic: bool,
     },
-    /// A confidence that does not lie between 0 and 1.
+    /// A confidence `[1]` that does not lie between 0 and 1.
     #[error("the confidence {0} is not between 0 and 1")]
     Confidence(f64),
     /// Blocks of data that do not fit their noise or nuisances.
@@ -45,7 +45,7 @@ pub enum CalibrateError {
         block: usize,
         /// Index in it.
         index: usize,
-        /// The number.
+        /// The number, in its own unit.
         value: f64,
     },
     /// Not a valid covariance matrix.

@@ -8,7 +8,7 @@ pub const MOST_PARAMETERS: usize = 4;
 pub struct Parameter {
     /// Name for results.
     pub name: String,
-    /// Least and greatest value that is looked at, both of them allowed.
+    /// Least and greatest value that is looked at, both of them allowed, in the model's unit.
     pub range: [f64; 2],
     /// Whether the range is divided evenly in the logarithm, as that of a length of unknown order.
     pub logarithmic: bool,

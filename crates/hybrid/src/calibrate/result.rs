@@ -8,13 +8,13 @@ use crate::identify::{Bounds, excess};
 pub struct Estimate {
     /// Its name.
     pub name: String,
-    /// The value that fits best.
+    /// The value that fits best, in the unit of the parameter.
     pub value: f64,
-    /// Standard deviation by the curvature of χ² there; `None` where χ² has none along it.
+    /// Standard deviation by the curvature of χ² there, in the unit of the parameter; `None` where χ² has none along it.
     pub deviation: Option<f64>,
     /// Interval of the profile. It ends where the profile passes its limit, and has no end where the range or the model ends before.
     pub bounds: Bounds,
-    /// The profile: values, ascending, and what χ² over the inflation of its variance is above its least.
+    /// The profile: values in the unit of the parameter, ascending, and what χ² over the inflation of its variance is above its least `[1]`.
     pub profile: Vec<(f64, f64)>,
 }
 
@@ -31,11 +31,11 @@ impl Estimate {
 /// The best fit of a model, without what the data say of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Least {
-    /// Values of the parameters.
+    /// Values of the parameters, in their order and units.
     pub values: Vec<f64>,
-    /// The least χ².
+    /// The least χ² `[1]`.
     pub chi_squared: f64,
-    /// Akaike's criterion corrected for few data, as [`Calibration::aicc`].
+    /// Akaike's criterion corrected for few data `[1]`, as [`Calibration::aicc`].
     pub aicc: f64,
     /// How often the model was asked.
     pub evaluations: usize,
@@ -57,9 +57,9 @@ pub(super) fn aicc(chi_squared: f64, unknowns: usize, data: f64) -> f64 {
 pub struct Calibration {
     /// One per parameter, in their order.
     pub estimates: Vec<Estimate>,
-    /// Covariance of the parameters by the curvature of χ², square, row by row; empty unless all of them have a standard deviation.
+    /// Covariance of the parameters by the curvature of χ², square, row by row, in products of their units; empty unless all of them have a standard deviation.
     pub covariance: Vec<f64>,
-    /// The least χ², of data with their stated standard deviations.
+    /// The least χ² `[1]`, of data with their stated standard deviations.
     pub chi_squared: f64,
     /// Correlation of the errors of the data.
     pub correlation: Correlation,
@@ -67,7 +67,7 @@ pub struct Calibration {
     pub data: usize,
     /// Number of independent nuisances.
     pub nuisances: usize,
-    /// Prediction there, the fitted nuisances added, in the order of the data.
+    /// Prediction there, the fitted nuisances added, in the order and units of the data.
     pub fitted: Vec<f64>,
     /// How often the model was asked.
     pub evaluations: usize,
@@ -90,12 +90,12 @@ impl Calibration {
             .saturating_sub(self.estimates.len() + self.nuisances)
     }
 
-    /// χ² per degree of freedom; about 1 where model and standard deviations hold.
+    /// χ² per degree of freedom `[1]`; about 1 where model and standard deviations hold.
     pub fn reduced(&self) -> f64 {
         self.chi_squared / self.degrees().max(1) as f64
     }
 
-    /// How many independent data would say as much.
+    /// Number of independent data that would say as much `[1]`.
     pub fn effective_data(&self) -> f64 {
         self.data as f64 / self.inflation()
     }
@@ -126,7 +126,7 @@ impl Calibration {
         self.deviance() + self.unknowns() * self.effective_data().ln()
     }
 
-    /// By how many standard deviations χ² lies above what it should be if the model holds, by the cube root that makes it nearly normal
+    /// Number of standard deviations `[1]` by which χ² lies above what it should be if the model holds, by the cube root that makes it nearly normal
     /// (Wilson & Hilferty 1931), of as many degrees of freedom as the correlation leaves. Above 3 the model does not explain the data, or
     /// their standard deviations are too small.
     pub fn excess(&self) -> f64 {

@@ -151,7 +151,7 @@ pub enum DataError {
     Setting {
         /// What was stated.
         what: &'static str,
-        /// Its value.
+        /// Its value, in the unit of what was stated.
         value: f64,
         /// What it may be.
         range: &'static str,
@@ -168,7 +168,7 @@ pub enum DataError {
         first: u64,
         /// Line of the second.
         second: u64,
-        /// x and y of either row, in the table's own numbers.
+        /// x and y of either row, in the table's own unit.
         places: [[f64; 2]; 2],
     },
     /// No displacement is valid.
@@ -210,9 +210,9 @@ pub enum DataError {
         row: Option<u64>,
         /// Name of the line.
         name: String,
-        /// x and y in the table's own numbers.
+        /// x and y in the table's own unit.
         place: [f64; 2],
-        /// Its fringe order, as it stands there.
+        /// Its fringe order `[fringes]`, as it stands there.
         order: f64,
         /// Distance from the line in the table's own unit.
         distance: f64,
@@ -232,7 +232,7 @@ pub enum DataError {
         row: Option<u64>,
         /// Name of the line.
         name: String,
-        /// x and y in the table's own numbers.
+        /// x and y in the table's own unit.
         place: [f64; 2],
         /// Angle between the steps before and after it, degrees.
         angle: f64,
@@ -249,9 +249,9 @@ pub enum DataError {
         rows: Option<[u64; 2]>,
         /// Name of the line.
         name: String,
-        /// x and y of either in the table's own numbers.
+        /// x and y of either in the table's own unit.
         places: [[f64; 2]; 2],
-        /// Either order, as it stands there.
+        /// Either order `[fringes]`, as it stands there.
         orders: [f64; 2],
     },
     /// A track is stated for a line that does not exist, or a line is needed that is not there.
@@ -311,7 +311,7 @@ pub enum DataError {
         what: &'static str,
         /// Its index.
         index: usize,
-        /// Its numbers.
+        /// Its numbers `[length]`.
         values: [f64; 2],
     },
     /// Points do not span a plane, or lie beyond what can be triangulated.

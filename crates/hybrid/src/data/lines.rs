@@ -56,7 +56,7 @@ pub struct OffTrack {
     pub name: String,
     /// Line of the farthest centre in the file, counted from 1.
     pub row: u64,
-    /// Its x and y in the table's own numbers.
+    /// Its x and y in the table's own unit.
     pub place: [f64; 2],
     /// Its distance from the track `[length]`.
     pub distance: f64,

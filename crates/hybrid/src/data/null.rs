@@ -229,7 +229,7 @@ pub struct Symmetry {
 }
 
 impl FringeLine {
-    /// Compares this line with the same line on the back; `tolerance` is ¼ fringe for a plate that bears through its whole thickness.
+    /// Compares this line with the same line on the back; `tolerance` `[fringes]` is ¼ for a plate that bears through its whole thickness.
     ///
     /// Orders are piecewise linear, so their difference is largest at a fringe centre of either side, and all are visited. Orders
     /// count from an arbitrary fringe on either side: `free_offset` takes off the constant that makes the largest difference least.

@@ -47,12 +47,12 @@ pub struct Outlier {
     pub value: f64,
     /// What its neighbours say `[length]`.
     pub expected: f64,
-    /// How far it is off, over what is usual; infinite where neighbours agree to the last digit.
+    /// How far it is off, over what is usual `[1]`; infinite where neighbours agree to the last digit.
     pub ratio: f64,
 }
 
 impl Measurement {
-    /// Displacements that are off those of their neighbours by more than `threshold` times what is usual there, by place and
+    /// Displacements that are off those of their neighbours by more than `threshold` `[1]` times what is usual there, by place and
     /// component; at least [`Measurement::deviation`] counts as usual. A component with fewer than nine valid places has none.
     ///
     /// With a threshold of 8, no place of a smooth field is found, free of noise or with normal or uniform noise of its standard deviation,

@@ -60,7 +60,7 @@ enum Curve {
 pub struct Located {
     /// Indices of the centres before and after it.
     pub centres: [usize; 2],
-    /// Their weights, which sum to 1.
+    /// Their weights `[1]`, which sum to 1.
     pub weights: [f64; 2],
     /// Distance of the place from the line `[length]`.
     pub distance: f64,

@@ -8,12 +8,12 @@ use super::check::parameter;
 /// The carrier's gradient (k_x, k_y) `[fringes/length]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Carrier {
-    /// Known.
+    /// Known `[fringes/length]`.
     Given([f64; 2]),
     /// The centre of the strongest peak of the spectrum. A picture does not distinguish rising from falling orders: the carrier is taken
     /// to rise towards the direction given.
     Found {
-        /// A direction in which orders rise.
+        /// A direction in which orders rise `[1]`.
         towards: Point,
     },
 }
@@ -24,13 +24,13 @@ pub struct FourierOptions {
     /// The carrier.
     pub carrier: Carrier,
     /// Radius β of the band around the carrier k, as a part of the way |k| to the background (or to the Nyquist frequency, where
-    /// that is nearer), between 0 and 1: greater follows steeper displacements, smaller passes less noise.
+    /// that is nearer), between 0 and 1 `[1]`: greater follows steeper displacements, smaller passes less noise.
     pub band: f64,
-    /// Least part of the fringes' power that has to lie in the band, between 0 and 1.
+    /// Least part of the fringes' power that has to lie in the band `[1]`, between 0 and 1.
     pub least_share: f64,
     /// Greatest number of passes that fill missing pixels.
     pub passes: usize,
-    /// Filling ends when a pass changes missing pixels by less than this part of the fringes' amplitude (root mean square).
+    /// Filling ends when a pass changes missing pixels by less than this part `[1]` of the fringes' amplitude (root mean square).
     pub settled: f64,
 }
 

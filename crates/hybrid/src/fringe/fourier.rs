@@ -16,9 +16,9 @@ pub struct FourierPhase {
     pub phase: Phase,
     /// Centre of the band `[fringes/length]`: the carrier as given, or carrier and mean displacement gradient as found.
     pub carrier: [f64; 2],
-    /// Greatest power in the band over the power of the noise.
+    /// Greatest power in the band over the power of the noise `[1]`.
     pub strength: f64,
-    /// Part of the fringes' power that lies in the band.
+    /// Part of the fringes' power that lies in the band `[1]`.
     pub share: f64,
     /// Standard deviation of the pixels' noise, taken as white `[intensity]`.
     pub noise: f64,
@@ -26,7 +26,7 @@ pub struct FourierPhase {
     pub resolution: f64,
     /// Passes that filled missing pixels.
     pub passes: usize,
-    /// Change of missing pixels in the last pass, over the fringes' amplitude (root mean square).
+    /// Change of missing pixels in the last pass, over the fringes' amplitude (root mean square) `[1]`.
     pub change: f64,
 }
 

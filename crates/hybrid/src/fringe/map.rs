@@ -152,7 +152,7 @@ pub struct PixelMap {
 }
 
 impl PixelMap {
-    /// Map of one value and one mark per pixel, row by row; `valid` is false where a value is missing.
+    /// Map of one value, in any unit, and one mark per pixel, row by row; `valid` is false where a value is missing.
     ///
     /// # Errors
     ///
@@ -182,7 +182,7 @@ impl PixelMap {
         }
     }
 
-    /// Map of one value per pixel, row by row, in which NaN stands for a missing one.
+    /// Map of one value per pixel, in any unit, row by row, in which NaN stands for a missing one.
     ///
     /// # Errors
     ///
@@ -192,7 +192,7 @@ impl PixelMap {
         Self::new(frame, values, valid)
     }
 
-    /// Map of a function of the place, which has no value where the picture has none.
+    /// Map of the values, in any unit, of a function of the place `[length]`, which has none where the picture has none.
     ///
     /// # Errors
     ///
@@ -211,7 +211,7 @@ impl PixelMap {
         )
     }
 
-    /// The same map without the pixels that `keep` refuses.
+    /// The same map without the pixels whose places `[length]` `keep` refuses.
     ///
     /// # Errors
     ///
@@ -228,7 +228,7 @@ impl PixelMap {
         &self.frame
     }
 
-    /// Values row by row; NaN where missing.
+    /// Values row by row, in the unit of the map; NaN where missing.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
@@ -238,7 +238,7 @@ impl PixelMap {
         &self.valid
     }
 
-    /// Value of a pixel, if it is there.
+    /// Value of a pixel, in the unit of the map, if it is there.
     pub fn get(&self, pixel: usize) -> Option<f64> {
         self.valid
             .get(pixel)
@@ -247,7 +247,7 @@ impl PixelMap {
             .then(|| self.values[pixel])
     }
 
-    /// Pixels that are there, with their values.
+    /// Pixels that are there, with their values, in the unit of the map.
     pub fn present(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         (0..self.values.len())
             .filter(|&pixel| self.valid[pixel])

@@ -40,7 +40,7 @@ impl Plane {
         orders.mapped(|pixel, order| order - self.at(orders.frame().place(pixel)))
     }
 
-    /// Plane of least squares to the orders of a region.
+    /// Plane of least squares to the orders `[fringes]` of a region of places `[length]`.
     ///
     /// # Errors
     ///

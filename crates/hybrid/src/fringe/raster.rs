@@ -28,7 +28,7 @@ pub struct Raster {
     pub rows: usize,
     /// Grey levels of the file.
     pub depth: Depth,
-    /// Intensities row by row, as parts of full scale.
+    /// Intensities row by row, as parts of full scale `[intensity]`.
     pub intensities: Vec<f64>,
     /// False where the file marks a pixel as wholly transparent.
     pub opaque: Vec<bool>,
@@ -36,7 +36,7 @@ pub struct Raster {
 
 impl Raster {
     /// The picture in the plane: `first` is the centre of the pixel of column 0 and row 0 and `step` leads from pixel to pixel
-    /// `[length]`, see [`Frame::new`]. Missing are transparent pixels and, if `dark` is given, those of at most that intensity.
+    /// `[length]`, see [`Frame::new`]. Missing are transparent pixels and, if `dark` is given, those of at most that intensity `[intensity]`.
     ///
     /// # Errors
     ///

@@ -20,7 +20,7 @@ pub enum Depth {
 }
 
 impl Depth {
-    /// Greatest grey level, which stands for the intensity 1.
+    /// Greatest grey level `[1]`, which stands for the intensity 1.
     pub fn full_scale(self) -> f64 {
         match self {
             Self::Eight => f64::from(u8::MAX),
@@ -32,9 +32,9 @@ impl Depth {
 /// How a picture is exposed; intensities are parts of the camera's full scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exposure {
-    /// Mean intensity a, positive.
+    /// Mean intensity a `[intensity]`, positive.
     pub background: f64,
-    /// Amplitude b of the fringes, positive and at most the mean.
+    /// Amplitude b of the fringes `[intensity]`, positive and at most the mean.
     pub modulation: f64,
     /// Greatest error e of the order of a pixel `[fringes]`: uniform in ±e, independent from pixel to pixel, the same in all
     /// pictures of a phase-stepped series.
@@ -43,7 +43,7 @@ pub struct Exposure {
     /// and contrast 1/√M with a gamma distribution (Goodman 1975), independent from pixel to pixel and the same in all pictures of
     /// a series.
     pub speckle_patterns: Option<u32>,
-    /// Standard deviation of the camera's additive normal noise.
+    /// Standard deviation of the camera's additive normal noise `[intensity]`.
     pub noise: f64,
     /// Grey levels; values outside 0 and 1 are clipped. Without it intensities are neither rounded nor clipped.
     pub depth: Option<Depth>,

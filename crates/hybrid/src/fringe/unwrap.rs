@@ -66,7 +66,7 @@ impl PartialOrd for Front {
     }
 }
 
-/// Orders without jumps: the flood starts at the best pixel of a region and goes on at the best pixel that it touches, adding whole
+/// Orders `[fringes]` without jumps: the flood starts at the best pixel of a region and goes on at the best pixel that it touches, adding whole
 /// numbers so that neighbours differ by at most ½ (quality-guided path following, Ghiglia & Pritt 1998, chapter 4). `quality` has one
 /// number per pixel, greater where the phase is better.
 ///

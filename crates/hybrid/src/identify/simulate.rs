@@ -20,7 +20,7 @@ const GRID: usize = 24;
 const REACH: f64 = 3.0;
 
 impl Tractions {
-    /// Coefficients of `count` random draws of the tractions of `zone`, around tractions that slip with the coefficient of `fit`. The
+    /// Coefficients `[1]` of `count` random draws of the tractions of `zone`, around tractions that slip with the coefficient of `fit`. The
     /// same `seed` gives the same draws. Coefficients beyond three half widths of the interval are cut there; nothing is drawn where
     /// it has no upper end.
     ///

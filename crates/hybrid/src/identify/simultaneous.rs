@@ -18,7 +18,7 @@ use crate::random::normal;
 /// Draws of the joint distribution. The quantile of 95 % then has a standard deviation of about 0.03.
 const DRAWS: usize = 4000;
 
-/// The q that all errors, each over its own standard deviation, stay below together with the probability `confidence`, between 0 and 1.
+/// The q `[1]` that all errors, each over its own standard deviation, stay below together with the probability `confidence`, between 0 and 1.
 ///
 /// `covariances` are those of groups of errors, square, row by row, of any unit; errors of different groups are independent. The same
 /// `seed` gives the same draws. Without errors q is 0.

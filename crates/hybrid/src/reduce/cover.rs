@@ -79,7 +79,7 @@ impl fmt::Display for Reason {
 }
 
 impl Reason {
-    /// The reason as text, with its lengths as `length` spells them.
+    /// The reason as text, with its lengths `[length]` as `length` spells them.
     pub fn describe(&self, length: &dyn Fn(f64) -> String) -> String {
         match self {
             Self::Outside => "outside the data".to_owned(),

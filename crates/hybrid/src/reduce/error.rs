@@ -37,7 +37,7 @@ pub enum ReduceError {
     Setting {
         /// What it is.
         what: &'static str,
-        /// Its value.
+        /// Its value `[length]`.
         value: f64,
     },
     /// A polynomial order does not exist.

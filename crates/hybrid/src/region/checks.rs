@@ -25,9 +25,9 @@ use crate::data::{Measurement, NodalDisplacements};
 pub struct ChiSquared {
     /// Number of squares n, which is also the mean.
     pub count: usize,
-    /// Their sum χ².
+    /// Their sum χ² `[1]`.
     pub value: f64,
-    /// Standard deviation of χ².
+    /// Standard deviation of χ² `[1]`.
     pub deviation: f64,
 }
 

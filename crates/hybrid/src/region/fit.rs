@@ -36,7 +36,7 @@ pub enum Amount {
     /// A share of the α with the least generalised cross-validation, above 0. A share of 1 is best for displacements; stresses are
     /// derivatives, and 0.4 kept their bias below half of their noise on the dense fields of the tests.
     CrossValidated {
-        /// The share.
+        /// The share `[1]`.
         share: f64,
     },
 }
@@ -70,11 +70,11 @@ pub struct Fit {
     pub displacements: NodalDisplacements,
     /// Estimated bias of the prescribed displacements by the smoothing `[length]`, in their order.
     pub bias: Vec<f64>,
-    /// The amount α of smoothing.
+    /// The amount α of smoothing `[1]`.
     pub amount: f64,
-    /// Effective number of fitted parameters, tr A.
+    /// Effective number of fitted parameters, tr A `[1]`.
     pub parameters: f64,
-    /// Diagonal of M⁻¹ G, in the order of the prescribed displacements: the part of each that the data at its own place decide, and not
+    /// Diagonal of M⁻¹ G `[1]`, in the order of the prescribed displacements: the part of each that the data at its own place decide, and not
     /// the smoothing with its neighbours; of single ones, as at corners, it may lie beyond 0 and 1. Its sum is
     /// [`parameters`](Self::parameters).
     pub kept: Vec<f64>,
@@ -193,7 +193,7 @@ impl<'a> Fitter<'a> {
         })
     }
 
-    /// Fits the prescribed displacements to the displacements x and y of a state, one per place of the measurement.
+    /// Fits the prescribed displacements to the displacements x and y `[length]` of a state, one per place of the measurement.
     ///
     /// # Errors
     /// [`RegionError::SmoothingAmount`]; displacements that are too few or not finite; [`RegionError::NotDetermined`] without
@@ -226,7 +226,7 @@ impl<'a> Fitter<'a> {
         })
     }
 
-    /// Prescribed displacements `[length]` fitted with the amount α `amount`: those of [`fit`](Self::fit), without covariance and
+    /// Prescribed displacements `[length]` fitted with the amount α `amount` `[1]`: those of [`fit`](Self::fit), without covariance and
     /// so at a small part of its cost.
     ///
     /// # Errors
@@ -238,7 +238,7 @@ impl<'a> Fitter<'a> {
         Ok(self.combine(|k| loads.modes[k] / stiffness[k]))
     }
 
-    /// The amount α, of twenty per decade, with the least generalised cross-validation for a state.
+    /// The amount α `[1]`, of twenty per decade, with the least generalised cross-validation for a state, displacements x and y `[length]`.
     ///
     /// # Errors
     /// Displacements that are too few or not finite.

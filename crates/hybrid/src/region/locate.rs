@@ -17,7 +17,7 @@ const OUTSIDE: f64 = 1e-3;
 pub struct Located {
     /// Global index of the cell.
     pub cell: usize,
-    /// Nodes of the cell with their shape functions.
+    /// Nodes of the cell with their shape functions `[1]`.
     pub shape: Vec<(usize, f64)>,
 }
 

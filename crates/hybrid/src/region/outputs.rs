@@ -27,7 +27,7 @@ pub struct EdgeRows {
     pub nodes: Vec<usize>,
     /// Position along the edge `[length]`: radius times continuous angle on an arc, otherwise the length of the polygon.
     pub parameter: Vec<f64>,
-    /// Unit vector n at each node: e_r on an arc, otherwise out of the region. The tangent t is n turned by +90°.
+    /// Unit vector n `[1]` at each node: e_r on an arc, otherwise out of the region. The tangent t is n turned by +90°.
     pub normal: Vec<[f64; 2]>,
     /// Consistent weights ∫ N ds of the nodes `[length]`.
     pub weights: Vec<f64>,
@@ -81,7 +81,7 @@ impl EdgeRows {
     }
 }
 
-/// Rows of the displacements along x and y at each of `places` in turn.
+/// Rows `[1]` of the displacements along x and y at each of `places` `[length]` in turn.
 ///
 /// # Errors
 /// [`RegionError::Outside`] for a place that is not in the mesh.

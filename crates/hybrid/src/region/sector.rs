@@ -31,7 +31,7 @@ pub struct ArcSector {
     pub angles: [f64; 2],
     /// Cells around and outwards.
     pub cells: [usize; 2],
-    /// Thickness of the outermost layer over that of the innermost.
+    /// Thickness of the outermost layer over that of the innermost `[1]`.
     pub growth: f64,
     /// Kind of the cells.
     pub kind: ElementKind,

@@ -62,9 +62,9 @@ impl Transfer {
 /// Outputs with what is known of their errors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Propagated {
-    /// The outputs y.
+    /// The outputs y, in their units.
     pub values: Vec<f64>,
-    /// Their covariance Σ_y, square, row by row.
+    /// Their covariance Σ_y, square, row by row, in products of their units.
     pub covariance: Vec<f64>,
     /// Solves with K₂₂ that it took.
     pub solves: usize,
@@ -144,7 +144,7 @@ impl Region {
         })
     }
 
-    /// Outputs of several states of the prescribed displacements, one state after the other in `values` and in the answer; the
+    /// Outputs, in their units, of several states of the prescribed displacements `[length]`, one state after the other in `values` and in the answer; the
     /// right-hand sides pass through the factor together.
     ///
     /// # Errors
@@ -183,7 +183,7 @@ impl Region {
         parallel::map_chunks(values, self.columns_in_a_pass() * own, pass).concat()
     }
 
-    /// Outputs for `count` random draws of the prescribed displacements around `measured`, normal with its covariance, one draw
+    /// Outputs, in their units, for `count` random draws of the prescribed displacements around `measured`, normal with its covariance, one draw
     /// after the other: a Monte Carlo check of [`propagate`](Self::propagate). The same `seed` gives the same draws. One solve per draw,
     /// or those of T where they are fewer.
     ///
@@ -206,7 +206,7 @@ impl Region {
         self.outputs_of(outputs, &draws.to_row_major())
     }
 
-    /// As [`simulate`](Self::simulate), of the outputs of a `transfer` of this region, without a solve.
+    /// Outputs, in their units, as by [`simulate`](Self::simulate), of a `transfer` of this region, without a solve.
     ///
     /// # Errors
     /// As [`simulate`](Self::simulate).

@@ -23,13 +23,13 @@ use crate::error::LaboratoryError;
 /// Relative rounding of an admissibility condition.
 const ROUNDING: f64 = 1e-13;
 
-/// The coefficient of friction μ_c = k_t/|k_c| up to which the node with `stiffness` [[k_t, k_c], [k_c, k_n]]
+/// The coefficient of friction μ_c = k_t/|k_c| `[1]` up to which the node with `stiffness` [[k_t, k_c], [k_c, k_n]]
 /// `[force/length]` has one solution; infinite without coupling.
 pub fn one_node_bound(stiffness: [[f64; 2]; 2]) -> f64 {
     stiffness[0][0] / stiffness[0][1].abs()
 }
 
-/// One node with `stiffness` [[k_t, k_c], [k_c, k_n]] `[force/length]`, positive definite, under `force` (F_t, F_n) `[force]`,
+/// One node with `stiffness` [[k_t, k_c], [k_c, k_n]] `[force/length]`, positive definite, and friction `mu` `[1]`, under `force` (F_t, F_n) `[force]`,
 /// with initial gap `gap` `[length]` and last tangential displacement `previous` `[length]`, and all its solutions.
 ///
 /// # Errors
@@ -66,7 +66,7 @@ pub fn one_node(
     })
 }
 
-/// A node without load that was pushed against friction: beyond μ_c = 1.5 it can stay wedged.
+/// A node without load that was pushed against friction with the coefficient `mu` `[1]`: beyond μ_c = 1.5 it can stay wedged.
 ///
 /// # Errors
 /// [`LaboratoryError`] if `mu` is negative or not finite.

@@ -32,7 +32,7 @@ const UNIT: f64 = 1e-3;
 const PUSH: f64 = 0.5;
 const POISSON: f64 = 0.3;
 
-/// A block with `nodes` ≥ 2 contact nodes, Young's modulus 1 and coefficient of friction `mu`, in plane strain. Load cases:
+/// A block with `nodes` ≥ 2 contact nodes, Young's modulus 1 and coefficient of friction `mu` `[1]`, in plane strain. Load cases:
 /// the top moves down, and along x.
 ///
 /// # Errors

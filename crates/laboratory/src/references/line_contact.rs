@@ -14,7 +14,7 @@
 pub const HALF_WIDTH: f64 = 0.88093648;
 /// Peak pressure p₀ `[MPa]` with R = 50 mm; with R = 500 mm it is a tenth.
 pub const PEAK: f64 = 361.33126;
-/// Coefficient of friction of the cycle.
+/// Coefficient of friction of the cycle `[1]`.
 pub const FRICTION: f64 = 0.4;
 /// Stick half-width c `[mm]` at Q = 0.5 μP.
 pub const STICK: f64 = 0.62291616;
@@ -26,17 +26,17 @@ pub fn reversed_stick() -> f64 {
     HALF_WIDTH * 0.75_f64.sqrt()
 }
 
-/// p/p₀ at `x` `[mm]`.
+/// Pressure p/p₀ `[1]` at `x` `[mm]`.
 pub fn pressure(x: f64) -> f64 {
     root(HALF_WIDTH, x)
 }
 
-/// q/(μp₀) at `x` `[mm]`, Q = 0.5 μP.
+/// Shear q/(μp₀) `[1]` at `x` `[mm]`, Q = 0.5 μP.
 pub fn shear_loaded(x: f64) -> f64 {
     root(HALF_WIDTH, x) - root(STICK, x)
 }
 
-/// q/(μp₀) at `x` `[mm]`, back at Q = 0.
+/// Shear q/(μp₀) `[1]` at `x` `[mm]`, back at Q = 0.
 pub fn shear_returned(x: f64) -> f64 {
     shear_loaded(x) - 2.0 * (root(HALF_WIDTH, x) - root(reversed_stick(), x))
 }

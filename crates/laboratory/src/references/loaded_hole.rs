@@ -38,7 +38,7 @@ pub struct Plate {
     pub e2: f64,
     /// Shear modulus `[stress]`.
     pub g12: f64,
-    /// Poisson's ratio −ε_y/ε_x for stress along x.
+    /// Poisson's ratio −ε_y/ε_x for stress along x `[1]`.
     pub nu12: f64,
 }
 
@@ -112,7 +112,7 @@ impl LoadedHole {
         ]
     }
 
-    /// Stresses (σ_r, σ_θ, τ_rθ) D t/P at the radius `r` ≥ 1, over R, and the angle `theta` `[rad]` from the bearing point.
+    /// Stresses (σ_r, σ_θ, τ_rθ) D t/P `[1]` at the radius `r` ≥ 1, over R `[1]`, and the angle `theta` `[rad]` from the bearing point.
     pub fn polar_stresses(&self, r: f64, theta: f64) -> [f64; 3] {
         let (s, c) = theta.sin_cos();
         let [x, y, xy] = self.stresses([r * c, r * s]);
@@ -123,7 +123,7 @@ impl LoadedHole {
         ]
     }
 
-    /// Stresses (σ_x, σ_y, τ_xy) D t/P at the place `[x, y]`, over R, on or outside the edge.
+    /// Stresses (σ_x, σ_y, τ_xy) D t/P `[1]` at the place `[x, y]`, over R `[1]`, on or outside the edge.
     pub fn stresses(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let mut total = [0.0; 3];
         for (k, &mu) in self.roots.iter().enumerate() {
@@ -188,7 +188,7 @@ fn principal(value: C) -> C {
     }
 }
 
-/// Pressure D t/P at `theta` `[rad]`.
+/// Pressure D t/P `[1]` at `theta` `[rad]`.
 pub fn pressure(theta: f64) -> f64 {
     if theta.abs() < FRAC_PI_2 {
         4.0 / PI * theta.cos()
@@ -197,7 +197,7 @@ pub fn pressure(theta: f64) -> f64 {
     }
 }
 
-/// σ_θ D t/P on the edge in an isotropic plate with Poisson's ratio `poisson`, at `theta` `[rad]` in [−π, π].
+/// Hoop stress σ_θ D t/P `[1]` on the edge in an isotropic plate with Poisson's ratio `poisson` `[1]`, at `theta` `[rad]` in [−π, π].
 pub fn isotropic_hoop(poisson: f64, theta: f64) -> f64 {
     8.0 / (PI * PI) + (3.0 - poisson) / PI * theta.cos() - pressure(theta)
 }

@@ -18,7 +18,7 @@ pub const STEPS: [(f64, f64); 3] = [
     (65.0, 0.94350039),
 ];
 
-/// p R t/Q at the angle `phi` `[rad]` from the bearing point, for the contact half-angle `epsilon` `[rad]`.
+/// Pressure p R t/Q `[1]` at the angle `phi` `[rad]` from the bearing point, for the contact half-angle `epsilon` `[rad]`.
 pub fn pressure(epsilon: f64, phi: f64) -> f64 {
     let (b, y) = ((epsilon / 2.0).tan(), (phi / 2.0).tan());
     if y.abs() >= b {
@@ -29,7 +29,7 @@ pub fn pressure(epsilon: f64, phi: f64) -> f64 {
     2.0 * rest / (PI * whole * (1.0 + y * y)) + logarithm / (2.0 * PI * b * b * (1.0 + b * b))
 }
 
-/// σ_θ R t/Q at the net section, θ = 90°, where the pin does not touch: 2 a₀, to nine digits or more. The pressure ends like a
+/// Hoop stress σ_θ R t/Q `[1]` at the net section, θ = 90°, for the contact half-angle `epsilon` `[rad]`, where the pin does not touch: 2 a₀, to nine digits or more. The pressure ends like a
 /// root, which the midpoint rule in φ = ε sin t integrates with exponential accuracy.
 pub fn hoop_at_net_section(epsilon: f64) -> f64 {
     const POINTS: u32 = 400;

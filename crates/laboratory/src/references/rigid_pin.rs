@@ -19,9 +19,9 @@ pub const ORTHOTROPIC_END: f64 = 84.56;
 pub struct EdgePoint {
     /// Angle from the bearing point `[deg]`.
     pub angle: f64,
-    /// σ_r, σ_θ, τ_rθ.
+    /// σ_r, σ_θ, τ_rθ over the bearing stress P/(2 R t) `[1]`.
     pub stresses: [f64; 3],
-    /// Estimated error of each.
+    /// Estimated error of each `[1]`.
     pub errors: [f64; 3],
 }
 

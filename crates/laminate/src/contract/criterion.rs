@@ -35,7 +35,7 @@ pub struct CriterionSample {
     pub held: Vec<[f64; 3]>,
     /// Stresses (σ₁, σ₂, τ₁₂) of the load `[stress]`.
     pub applied: Vec<[f64; 3]>,
-    /// Multiples by which loads are scaled, > 0.
+    /// Multiples by which loads are scaled, > 0, dimensionless.
     pub factors: Vec<f64>,
 }
 

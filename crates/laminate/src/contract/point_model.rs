@@ -31,12 +31,12 @@ type Step = ([f64; 3], f64);
 pub struct PointSample {
     /// Steps of each path: total strain (xx, yy, xy) and temperature rise `[temperature]`.
     pub paths: Vec<Vec<([f64; 3], f64)>>,
-    /// Size of the strains > 0, by which differences and rounding are measured.
+    /// Size of the strains > 0, dimensionless, by which differences and rounding are measured.
     pub strain_scale: f64,
 }
 
 impl PointSample {
-    /// Makes a sample of 24 paths of 6 steps, with strains between ± `strain_scale` > 0 in each component, such as a few times the
+    /// Makes a sample of 24 paths of 6 steps, with strains between ± `strain_scale` > 0 in each component, dimensionless, such as a few times the
     /// strain at first failure, and temperature rises between 0 and `temperature` `[temperature]`; every path ends unloaded.
     pub fn default_for(strain_scale: f64, temperature: f64) -> Self {
         /// Fractions of the roots of x⁵ = x + 1: points that fill a cube of four dimensions evenly.

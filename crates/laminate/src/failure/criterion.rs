@@ -36,7 +36,7 @@ impl PlyLoading {
         finite("stress", &self.applied)
     }
 
-    /// Computes the stress σ_held + `factor` σ_applied `[stress]`.
+    /// Computes the stress σ_held + `factor` σ_applied `[stress]`; `factor` is dimensionless.
     pub fn at(&self, factor: f64) -> [f64; 3] {
         [0, 1, 2].map(|i| self.held[i] + factor * self.applied[i])
     }
@@ -49,14 +49,14 @@ pub struct Assessment {
     pub criterion: &'static str,
     /// f at the load as given, dimensionless: the ply has failed where it is 1 or more.
     pub index: f64,
-    /// Multiple of the load at which the ply fails: infinite if no multiple does it, 0 if it has failed without load.
+    /// Multiple of the load at which the ply fails, dimensionless: infinite if no multiple does it, 0 if it has failed without load.
     pub reserve_factor: f64,
     /// How it fails at that multiple, or what comes nearest to failure where none does.
     pub mode: FailureMode,
 }
 
 impl Assessment {
-    /// Computes the margin of safety, reserve factor − 1: negative where the load as given is too much.
+    /// Computes the margin of safety, reserve factor − 1, dimensionless: negative where the load as given is too much.
     pub fn margin(&self) -> f64 {
         self.reserve_factor - 1.0
     }
@@ -70,20 +70,20 @@ impl Assessment {
 /// A failure criterion of a ply in plane stress. Another crate's criterion implements [`assess`](Self::assess). A ply is its own
 /// mirror image across its fibres, so no criterion may distinguish τ₁₂ from −τ₁₂.
 pub trait FailureCriterion: Debug + Send + Sync {
-    /// Returns the short name, as in the table of [`failure`](crate::failure).
+    /// The short name, as in the table of [`failure`](crate::failure).
     fn name(&self) -> &'static str;
 
-    /// Returns the name in tables and legends.
+    /// The name in tables and legends.
     fn title(&self) -> String {
         self.name().replace('_', " ")
     }
 
-    /// Returns whether failure by this criterion ends a joint in any mode, as of criteria of ultimate failure.
+    /// Whether failure by this criterion ends a joint in any mode, as of criteria of ultimate failure.
     fn is_ultimate(&self) -> bool {
         false
     }
 
-    /// Returns the strengths that it needs.
+    /// The strengths that it needs.
     fn required(&self) -> &'static [Strength];
 
     /// Computes index, reserve factor and mode of `ply` under `loading`.

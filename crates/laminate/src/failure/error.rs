@@ -43,7 +43,7 @@ pub enum FailureError {
     NotFinite {
         /// What it is.
         quantity: &'static str,
-        /// Its components.
+        /// Its components, in the unit of the quantity.
         values: Vec<f64>,
     },
     /// A quadratic criterion whose interaction leaves its surface open.
@@ -65,7 +65,7 @@ pub enum FailureError {
     /// Hashin's weight of shear in fibre tension outside [0, 1].
     #[error("hashin: the weight of shear in fibre tension = {weight} must be in [0, 1]")]
     ShearWeight {
-        /// The value given.
+        /// The value given, dimensionless.
         weight: f64,
     },
     /// An envelope with too few or too many directions.
@@ -79,7 +79,7 @@ pub enum FailureError {
         "no multiple of the load (Nx, Ny, Nxy) = {force:?} fails the laminate: the envelope is open"
     )]
     OpenEnvelope {
-        /// The load's direction.
+        /// The load's direction (N_x, N_y, N_xy) `[force/length]`.
         force: [f64; 3],
     },
     /// The laminate with its damaged plies is no laminate.

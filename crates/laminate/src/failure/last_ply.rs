@@ -35,7 +35,7 @@ const COLLAPSED: f64 = 0.5;
 /// The failure of a layer while the load grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlyFailureEvent {
-    /// Multiple of the load at which it happened.
+    /// Multiple of the load at which it happened, dimensionless.
     pub factor: f64,
     /// The layer, its place and mode. The reserve factor is that of the laminate as damaged before: less than `factor` where the
     /// failure follows from an earlier one at the same load.
@@ -54,14 +54,14 @@ pub struct FailureHistory {
 }
 
 impl FailureHistory {
-    /// Returns the multiple of the load at which the first layer fails, infinite if none does.
+    /// The multiple of the load at which the first layer fails, dimensionless, infinite if none does.
     pub fn first_factor(&self) -> f64 {
         self.events
             .first()
             .map_or(f64::INFINITY, |event| event.factor)
     }
 
-    /// Returns the multiple of the load at which the laminate collapses, its strength; infinite if it does not.
+    /// The multiple of the load at which the laminate collapses, its strength, dimensionless; infinite if it does not.
     pub fn last_factor(&self) -> f64 {
         let last = self.events.last().filter(|_| self.collapsed);
         last.map_or(f64::INFINITY, |event| event.factor)

@@ -42,7 +42,7 @@ pub struct TsaiWu {
 /// F₁₂ of Tsai–Wu, which only a biaxial test gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Interaction {
-    /// F₁₂ as a multiple of √(F₁₁F₂₂) = 1/√(X_t X_c Y_t Y_c), in (−1, 1); usually −0.5.
+    /// F₁₂ as a multiple of √(F₁₁F₂₂) = 1/√(X_t X_c Y_t Y_c), dimensionless, in (−1, 1); usually −0.5.
     Normalised(f64),
     /// F₁₂ itself `[1/stress²]`.
     Coefficient(f64),

@@ -32,7 +32,7 @@ impl Coupling {
         self.bending_extension <= SYMMETRIC
     }
 
-    /// Computes ρ²: how much softer in its plane the laminate can be when it is free to bend than when it is held flat, as a fraction.
+    /// Computes ρ²: how much softer in its plane the laminate can be when it is free to bend than when it is held flat, as a fraction, dimensionless.
     pub fn stiffness_loss(&self) -> f64 {
         self.bending_extension * self.bending_extension
     }

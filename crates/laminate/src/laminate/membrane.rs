@@ -31,13 +31,13 @@ pub struct EffectiveModuli {
     pub ey: f64,
     /// Shear modulus `[stress]`.
     pub gxy: f64,
-    /// Poisson's ratio −ε_y/ε_x for stress along x.
+    /// Poisson's ratio −ε_y/ε_x for stress along x, dimensionless.
     pub nuxy: f64,
-    /// Poisson's ratio −ε_x/ε_y for stress along y.
+    /// Poisson's ratio −ε_x/ε_y for stress along y, dimensionless.
     pub nuyx: f64,
-    /// γ_xy/ε_x for stress along x, zero for a balanced lay-up.
+    /// γ_xy/ε_x for stress along x, dimensionless, zero for a balanced lay-up.
     pub eta_xy_x: f64,
-    /// γ_xy/ε_y for stress along y, zero for a balanced lay-up.
+    /// γ_xy/ε_y for stress along y, dimensionless, zero for a balanced lay-up.
     pub eta_xy_y: f64,
 }
 
@@ -114,7 +114,7 @@ pub struct LaminateMembrane {
 }
 
 impl LaminateMembrane {
-    /// Returns the couplings of the laminate, dimensionless, of which this material keeps only that of stretching with shear.
+    /// The couplings of the laminate, dimensionless, of which this material keeps only that of stretching with shear.
     pub fn coupling(&self) -> Coupling {
         self.coupling
     }

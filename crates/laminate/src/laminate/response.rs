@@ -50,7 +50,7 @@ pub struct Deformation {
 }
 
 impl Deformation {
-    /// Makes a deformation of the strain (xx, yy, xy) alone: a plate that stays flat.
+    /// Makes a deformation of the strain (xx, yy, xy), engineering shear, dimensionless, alone: a plate that stays flat.
     pub fn membrane(strain: [f64; 3]) -> Self {
         Self {
             strain,
@@ -58,7 +58,7 @@ impl Deformation {
         }
     }
 
-    /// Computes the strain ε⁰ + zκ (xx, yy, xy) at the height `z` `[length]`.
+    /// Computes the strain ε⁰ + zκ (xx, yy, xy), dimensionless, at the height `z` `[length]`.
     pub fn strain_at(&self, z: f64) -> [f64; 3] {
         [0, 1, 2].map(|i| self.strain[i] + z * self.curvature[i])
     }
@@ -100,7 +100,7 @@ pub struct PlyState {
     pub position: Position,
     /// Height of that place `[length]`.
     pub height: f64,
-    /// Total strain (ε₁, ε₂, γ₁₂) in material axes, thermal strain included.
+    /// Total strain (ε₁, ε₂, γ₁₂) in material axes, thermal strain included, dimensionless.
     pub strain: [f64; 3],
     /// Stress (σ₁, σ₂, τ₁₂) in material axes `[stress]`.
     pub stress: [f64; 3],
@@ -172,7 +172,7 @@ impl Laminate {
             .collect()
     }
 
-    /// Computes the residual stresses of the unloaded laminate after the temperature rise `temperature`, as [`Laminate::ply_states`].
+    /// Computes the residual stresses of the unloaded laminate after the temperature rise `temperature` `[temperature]`, as [`Laminate::ply_states`].
     pub fn residual_states(&self, temperature: f64) -> Vec<PlyState> {
         let free = LaminateLoad {
             temperature,

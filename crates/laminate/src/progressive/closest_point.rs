@@ -63,13 +63,13 @@ pub struct YieldSurface {
 pub struct ClosestPoint {
     /// Stress (σ₁, σ₂, τ₁₂) `[stress]`.
     pub stress: [f64; 3],
-    /// Increment of the plastic strain (ε₁, ε₂, γ₁₂).
+    /// Increment of the plastic strain (ε₁, ε₂, γ₁₂), dimensionless.
     pub plastic_increment: [f64; 3],
     /// Δλ `[stress]`, zero in an elastic step.
     pub hardening_increment: f64,
     /// ∂σ/∂ε* `[stress]`, symmetric.
     pub tangent: PlaneStiffness,
-    /// |φ (1 − H μ)/(1 + H λ_n) − 1| after each iteration: empty in an elastic step, else falling quadratically.
+    /// |φ (1 − H μ)/(1 + H λ_n) − 1| after each iteration, dimensionless: empty in an elastic step, else falling quadratically.
     pub residuals: Vec<f64>,
 }
 

@@ -54,7 +54,7 @@ impl PlyDiscount {
         })
     }
 
-    /// Returns the factors on the moduli of failed plies.
+    /// The factors on the moduli of failed plies.
     pub fn degradation(&self) -> &Degradation {
         &self.degradation
     }

@@ -12,9 +12,9 @@ pub enum ProgressiveError {
     /// A strain or temperature that is not finite.
     #[error("strain {strain:?} at the temperature rise {temperature} is not finite")]
     NotFinite {
-        /// The requested strain.
+        /// The requested strain (xx, yy, xy), dimensionless.
         strain: [f64; 3],
-        /// The requested temperature rise.
+        /// The requested temperature rise `[temperature]`.
         temperature: f64,
     },
     /// A state of another laminate.
@@ -55,7 +55,7 @@ pub enum ProgressiveError {
     ReturnMapping {
         /// Index of the layer, from the bottom, from 0.
         layer: usize,
-        /// Distance, relative to the yield stress.
+        /// Distance, relative to the yield stress, dimensionless.
         distance: f64,
         /// Iterations taken.
         iterations: usize,

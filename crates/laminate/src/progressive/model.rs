@@ -11,10 +11,10 @@ use crate::laminate::Laminate;
 /// A laminate with history at one point, in plane stress and held flat: where it could bend, a lay-up that is not symmetric is softer
 /// ([`Laminate::coupling`] says by how much).
 pub trait PointModel: Debug + Send + Sync {
-    /// Returns the undamaged laminate.
+    /// The undamaged laminate.
     fn laminate(&self) -> &Laminate;
 
-    /// Computes stress, tangent and trial state for the total strain `strain` (xx, yy, xy) at the temperature rise `temperature`
+    /// Computes stress, tangent and trial state for the total strain `strain` (xx, yy, xy), dimensionless, at the temperature rise `temperature`
     /// `[temperature]` since the plies were free of stress, coming from the state `committed`.
     ///
     /// # Errors
@@ -42,7 +42,7 @@ pub trait PointModel: Debug + Send + Sync {
     }
 }
 
-/// Refuses a step that is not finite or starts from a state of another laminate.
+/// Refuses a step that is not finite or starts from a state of another laminate; `strain` is dimensionless, `temperature` `[temperature]`.
 ///
 /// # Errors
 /// [`ProgressiveError::NotFinite`] for a strain or temperature rise that is not finite, [`ProgressiveError::LayerCount`] for a state

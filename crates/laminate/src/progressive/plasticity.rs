@@ -66,7 +66,7 @@ impl TsaiHillPlasticity {
         Self::new(laminate, hardening)
     }
 
-    /// Returns the yield surface of each layer, from the bottom up.
+    /// The yield surface of each layer, from the bottom up.
     pub fn surfaces(&self) -> &[YieldSurface] {
         &self.surfaces
     }
@@ -150,7 +150,7 @@ impl PlasticityParameters {
         }
     }
 
-    /// Returns the plastic shear modulus as given `[stress]`.
+    /// The plastic shear modulus as given `[stress]`.
     pub fn hardening(&self) -> f64 {
         self.hardening
     }

@@ -10,7 +10,7 @@ use crate::laminate::{Laminate, Layer};
 pub struct LayerState {
     /// Stress (σ₁, σ₂, τ₁₂) in material axes `[stress]`.
     pub stress: [f64; 3],
-    /// Plastic strain (ε₁, ε₂, γ₁₂) in material axes.
+    /// Plastic strain (ε₁, ε₂, γ₁₂) in material axes, dimensionless.
     pub plastic_strain: [f64; 3],
     /// Hardening variable λ `[stress]`: for perfect plasticity the plastic work per volume.
     pub hardening: f64,
@@ -21,7 +21,7 @@ pub struct LayerState {
 /// History of a point of the laminate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointState {
-    /// Total strain (xx, yy, xy), engineering shear.
+    /// Total strain (xx, yy, xy), engineering shear, dimensionless.
     pub strain: [f64; 3],
     /// Temperature rise `[temperature]`.
     pub temperature: f64,
@@ -68,7 +68,7 @@ impl PointHistory {
         Self { committed: state }
     }
 
-    /// Returns the state of the last accepted step.
+    /// The state of the last accepted step.
     pub fn committed(&self) -> &PointState {
         &self.committed
     }

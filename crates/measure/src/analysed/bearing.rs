@@ -80,7 +80,7 @@ impl Analysed {
             .collect()
     }
 
-    /// Compares the direction of the force on the edge with the bearing point that is `stated`, or else assumed; `None` where the contact
+    /// Compares the direction of the force on the edge with the bearing point that is `stated` `[rad]`, or else assumed; `None` where the contact
     /// does not show.
     pub fn bearing_check(&self, stated: Option<f64>) -> Option<BearingCheck> {
         let sight = self.sight()?;

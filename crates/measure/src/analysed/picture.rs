@@ -33,7 +33,7 @@ const UNEXPLAINED: f64 = 4.0;
 pub struct PictureMotion {
     /// What it is.
     pub motion: FreeMotion,
-    /// Its amount, a strain at the distance of the hole's radius, and its standard deviation by noise and smoothing; `None` where the data
+    /// Its amount, a strain at the distance of the hole's radius, and its standard deviation by noise and smoothing `[1]`; `None` where the data
     /// do not distinguish it from a load, or a free edge contradicts it.
     pub amount: Option<[f64; 2]>,
     /// Whether it was taken off, and its uncertainty added to that of all results.

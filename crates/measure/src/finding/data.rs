@@ -91,7 +91,7 @@ pub enum FieldFinding {
         field: &'static str,
         /// Standard deviation `[mm]`.
         deviation: f64,
-        /// The same over the range of the component.
+        /// The same over the range of the component `[1]`.
         of_range: f64,
     },
     /// A standard deviation that was estimated.
@@ -105,16 +105,16 @@ pub enum FieldFinding {
     },
     /// A finite rotation of the specimen that was taken off.
     RotationTakenOff {
-        /// Counter-clockwise, against the reference picture.
+        /// Angle `[degree]`, counter-clockwise, against the reference picture.
         degrees: f64,
-        /// Its standard deviation.
+        /// Its standard deviation `[degree]`.
         deviation_degrees: f64,
         /// Displacements that are masked for it.
         masked: usize,
     },
     /// Displacements that are beyond small strains.
     LargeDisplacements {
-        /// Their range over the extent of the places.
+        /// Their range over the extent of the places `[1]`.
         of_extent: f64,
     },
     /// States with the same data.
@@ -175,7 +175,7 @@ pub enum PictureFinding {
     FineFringes {
         /// U or V.
         field: &'static str,
-        /// Part of the pixels where they are.
+        /// Part of the pixels where they are `[1]`.
         part: f64,
     },
 }
@@ -199,7 +199,7 @@ pub enum LineFinding {
         file: String,
         /// Line of the farthest centre in the table, counted from 1.
         line: u64,
-        /// Its x and y in the table's own numbers.
+        /// Its x and y in the table's own unit.
         centre: [f64; 2],
         /// Its distance from the track `[mm]`.
         distance: f64,
@@ -223,9 +223,9 @@ pub enum LineFinding {
     },
     /// A rotation of the specimen that is not taken off.
     RotationKept {
-        /// Counter-clockwise, against the lines of no load.
+        /// Angle `[degree]`, counter-clockwise, against the lines of no load.
         degrees: f64,
-        /// Strain in both directions by it.
+        /// Strain in both directions by it `[1]`.
         strain: f64,
     },
 }

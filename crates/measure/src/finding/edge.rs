@@ -24,13 +24,13 @@ pub enum FitFinding {
     CheckFails {
         /// Which check.
         check: Check,
-        /// χ².
+        /// χ² `[1]`.
         chi_squared: f64,
         /// What is expected.
         count: usize,
-        /// The standard deviation of that.
+        /// The standard deviation of that `[1]`.
         deviation: f64,
-        /// A dilation of the picture that would explain it, and its standard deviation.
+        /// A dilation of the picture that would explain it, and its standard deviation `[1]`.
         dilation: Option<[f64; 2]>,
     },
     /// Stresses by direct interpolation are not known.
@@ -40,7 +40,7 @@ pub enum FitFinding {
     },
     /// The noise factor is assumed, because the fit that would show it fails.
     NoiseFactorAssumed {
-        /// The noise factor.
+        /// The noise factor `[1]`.
         factor: f64,
         /// Why the fit fails.
         cause: String,
@@ -49,28 +49,28 @@ pub enum FitFinding {
     ManyParameters {
         /// Number of data.
         data: usize,
-        /// Effective number of parameters.
+        /// Effective number of parameters `[1]`.
         parameters: f64,
     },
     /// Residuals are far below the standard deviation of the data.
     SmallResiduals {
-        /// Their variance over that of the standard deviation.
+        /// Their variance over that of the standard deviation `[1]`.
         variance_ratio: f64,
         /// Whether the standard deviation was stated, and not estimated.
         stated: bool,
     },
     /// Errors of neighbours are correlated.
     CorrelatedResiduals {
-        /// Variance of means of neighbouring residuals over that of independent errors.
+        /// Variance of means of neighbouring residuals over that of independent errors `[1]`.
         of_means: f64,
-        /// The same of single residuals.
+        /// The same of single residuals `[1]`.
         of_singles: f64,
         /// Whether the amount of smoothing is stated.
         amount_stated: bool,
     },
     /// The variance of the residuals is far from that of the standard deviation.
     WrongDeviation {
-        /// The former over the latter.
+        /// The former over the latter `[1]`.
         variance_ratio: f64,
     },
     /// A motion of the picture that is declared free and cannot be separated from the load.
@@ -121,7 +121,7 @@ pub struct LoadFails {
     pub load: f64,
     /// Whether the force counts from a null field whose load is not known.
     pub above_null: bool,
-    /// The bearing point, where the region cuts the contact.
+    /// The bearing point `[degree]`, where the region cuts the contact.
     pub bearing_degrees: Option<f64>,
     /// Thickness of the specimen `[mm]`.
     pub thickness: f64,
@@ -130,13 +130,13 @@ pub struct LoadFails {
 /// A bearing point that the force on the edge contradicts.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BearingFails {
-    /// Direction of the force.
+    /// Direction of the force `[degree]`.
     pub direction_degrees: f64,
-    /// Its standard deviation.
+    /// Its standard deviation `[degree]`.
     pub deviation_degrees: f64,
-    /// Angle beyond what the bearing point explains.
+    /// Angle beyond what the bearing point explains `[degree]`.
     pub beyond_degrees: f64,
-    /// The bearing point.
+    /// The bearing point `[degree]`.
     pub bearing_degrees: f64,
     /// Whether that is stated, and not assumed.
     pub stated: bool,
@@ -163,7 +163,7 @@ pub enum ForceFinding {
         axis: &'static str,
         /// Excess that would be explained `[N]`.
         explained: f64,
-        /// The same over the size of the known force.
+        /// The same over the size of the known force `[1]`.
         of_force: f64,
     },
     /// A load that the force on the edge contradicts.
@@ -177,7 +177,7 @@ pub enum ForceFinding {
     Pulled {
         /// Its largest tension `[MPa]`.
         tension: f64,
-        /// Where that is.
+        /// Where that is `[degree]`.
         theta_degrees: f64,
     },
     /// A bearing point that the force on the edge contradicts.

@@ -18,11 +18,11 @@ pub enum FrictionFinding {
     ZoneWithoutEnd,
     /// The mesh moves the coefficient by more than noise.
     MeshMoves {
-        /// The coefficient.
+        /// The coefficient `[1]`.
         mu: f64,
         /// Cells along and across the coarser region.
         half_the_cells: [usize; 2],
-        /// The coefficient on them.
+        /// The coefficient on them `[1]`.
         mu_on_half: f64,
         /// Its bounds.
         #[serde(serialize_with = "ends")]
@@ -44,7 +44,7 @@ pub enum FrictionFinding {
         state: String,
         /// Whether it is the side of greater angles.
         after: bool,
-        /// The bearing point.
+        /// The bearing point `[degree]`.
         bearing_degrees: f64,
     },
 }
@@ -137,11 +137,11 @@ pub enum ModelFinding {
     NoLawExplains {
         /// The best law.
         law: String,
-        /// What it leaves.
+        /// What it leaves, χ² `[1]`.
         chi_squared: f64,
         /// Degrees of freedom.
         degrees: usize,
-        /// Standard deviations by which that is too much.
+        /// Number of standard deviations `[1]` by which that is too much.
         excess: f64,
     },
 }

@@ -32,9 +32,9 @@ pub struct Grip {
     pub state: usize,
     /// First and last angle of the stretch `[rad]`.
     pub angles: [f64; 2],
-    /// The least τ/p along it, in the direction of friction of the zone beside it.
+    /// The least τ/p along it `[1]`, in the direction of friction of the zone beside it.
     pub ratio: f64,
-    /// μ_s is at least this.
+    /// μ_s is at least this `[1]`.
     pub at_least: f64,
 }
 

@@ -9,7 +9,7 @@ use stickslip_hybrid::identify::{Bounds, SlipFit};
 use crate::laws::{Candidate, ContactModel, LawsError, sensitivity};
 use stickslip_experiment::Experiment;
 
-/// Static over dynamic coefficient, and what it is changed to.
+/// Static over dynamic coefficient, and what it is changed to `[1]`.
 pub const RATIOS: [f64; 2] = [1.4, 1.2];
 
 /// The most that the hole's edge deforms in any load step of the scene when static friction is 1.2 instead of 1.4 times the dynamic one

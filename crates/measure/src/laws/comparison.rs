@@ -32,10 +32,10 @@ pub struct Fit {
     pub calibration: Calibration,
     /// One per observation.
     pub states: Vec<StateFit>,
-    /// AICc above that of the best law; negative where the mesh does not resolve what makes it less, infinite where there are too few
+    /// AICc above that of the best law `[1]`; negative where the mesh does not resolve what makes it less, infinite where there are too few
     /// data for it.
     pub distance: f64,
-    /// BIC above that of the law with the least.
+    /// BIC above that of the law with the least `[1]`.
     pub bic_distance: f64,
     /// What that says.
     pub verdict: Verdict,

@@ -21,7 +21,7 @@ pub struct Discrepancy {
     pub rms: f64,
     /// The largest `[mm]`.
     pub largest: f64,
-    /// χ² of data without any error.
+    /// χ² of data without any error `[1]`.
     pub chi_squared: f64,
 }
 

@@ -36,7 +36,7 @@ pub fn passes(law: &dyn FrictionLaw, slip: f64) -> bool {
     }
 }
 
-/// The band of `fit` at `slip`: half its width; `None` where not all parameters have a standard deviation, and where χ² rejects the model.
+/// Half the width `[1]` of the band of the coefficient of `fit` at the slip path `slip` `[mm]`, for the probability `confidence` `[1]`; `None` where not all parameters have a standard deviation, and where χ² rejects the model.
 pub fn half_width(fit: &Fit, slip: f64, confidence: f64) -> Option<f64> {
     /// Parts of the values by which they are changed.
     const CHANGE: f64 = 1e-4;

@@ -10,7 +10,7 @@ use super::{Known, Observation};
 /// By what the variance of a state was multiplied.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The factor, never less than 1: where residuals say less than was stated, the statement holds.
+    /// The factor, never less than 1 `[1]`: where residuals say less than was stated, the statement holds.
     pub factor: f64,
     /// What says so.
     pub source: ScaleSource,

@@ -14,11 +14,11 @@ use super::{Candidate, ContactModel, LawsError, Nuisance};
 /// The largest change of the edge's displacements in each load step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// Changed values of the parameters.
+    /// Changed values of the parameters, in their order and units.
     pub values: Vec<f64>,
     /// Largest change of either component along the edge at each load step `[fringes]`.
     pub whole: Vec<f64>,
-    /// The same after the rigid motion that fits best.
+    /// The same after the rigid motion that fits best `[fringes]`.
     pub deformation: Vec<f64>,
 }
 

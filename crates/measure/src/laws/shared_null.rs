@@ -22,12 +22,12 @@ pub struct SharedNull {
     pub states: Vec<usize>,
     /// Data that two of them have in common, all pairs together.
     pub data: usize,
-    /// Correlation of what the best law leaves of these.
+    /// Correlation of what the best law leaves of these `[1]`.
     pub correlation: f64,
 }
 
 impl SharedNull {
-    /// By what factor standard deviations may be too small.
+    /// The factor `[1]` by which standard deviations may be too small.
     pub fn too_narrow(&self) -> f64 {
         (1.0 + (self.states.len() as f64 - 1.0) * self.correlation.max(0.0)).sqrt()
     }

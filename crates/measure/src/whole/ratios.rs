@@ -12,7 +12,7 @@ impl WholeSolution {
         self.tractions.deviation(which, k)
     }
 
-    /// Shear over pressure at each place that bears a clear pressure, with its standard deviation.
+    /// Angle `[rad]`, shear over pressure `[1]` and its standard deviation `[1]` of each place that bears a clear pressure.
     pub fn ratios(&self) -> Vec<(f64, f64, f64)> {
         let own = &self.tractions;
         let largest = own.pressure.iter().copied().fold(0.0, f64::max);

@@ -82,14 +82,14 @@ impl Series {
         }
     }
 
-    /// Sets the spread of the points along x, low and high end of each.
+    /// Sets the spread of the points along x, low and high end of each in the unit of the axis.
     #[must_use]
     pub fn spread(mut self, spread: Vec<[f64; 2]>) -> Self {
         self.spread = spread;
         self
     }
 
-    /// Sets the margins of the points along y, low and high end of each.
+    /// Sets the margins of the points along y, low and high end of each in the unit of the axis.
     #[must_use]
     pub fn margin(mut self, margin: Vec<[f64; 2]>) -> Self {
         self.margin = margin;
@@ -138,7 +138,7 @@ pub struct Band {
 }
 
 impl Band {
-    /// Makes a band from `low` to `high` on the x axis.
+    /// Makes a band from `low` to `high` on the x axis, in its unit.
     pub fn new(label: impl Into<String>, low: f64, high: f64, color: Color) -> Self {
         Self {
             label: label.into(),
@@ -172,7 +172,7 @@ pub struct ReferenceLine {
 }
 
 impl ReferenceLine {
-    /// Makes a grey line at `y`.
+    /// Makes a grey line at `y`, in the unit of the y axis.
     pub fn horizontal(label: impl Into<String>, y: f64) -> Self {
         let color = Color::rgb(0x55, 0x55, 0x55);
         Self {
@@ -183,7 +183,7 @@ impl ReferenceLine {
         }
     }
 
-    /// Makes a grey line at `x`.
+    /// Makes a grey line at `x`, in the unit of the x axis.
     pub fn vertical(label: impl Into<String>, x: f64) -> Self {
         Self {
             direction: Direction::Vertical,
@@ -233,7 +233,7 @@ pub struct LineChart {
     pub legend: Legend,
     /// Width of the whole figure \[px\].
     pub width: f64,
-    /// Height over width of the area inside the frame.
+    /// Height over width of the area inside the frame \[1\].
     pub aspect: f64,
 }
 
@@ -289,7 +289,7 @@ impl LineChart {
         self
     }
 
-    /// Sets the width of the figure \[px\] and the aspect of the frame.
+    /// Sets the width of the figure \[px\] and the aspect of the frame, height over width \[1\].
     #[must_use]
     pub fn size(mut self, width: f64, aspect: f64) -> Self {
         self.width = width;

@@ -13,7 +13,7 @@ pub struct FieldPlot<'a> {
     pub nodes: &'a [[f64; 2]],
     /// Node indices around each cell, see the module's text.
     pub cells: &'a [Vec<usize>],
-    /// One value per node; cells that touch NaN or infinity are drawn grey.
+    /// One value per node, in the unit of `label`; cells that touch NaN or infinity are drawn grey.
     pub values: &'a [f64],
     /// Name, symbol and unit of the field, beside the colour bar.
     pub label: String,
@@ -21,7 +21,7 @@ pub struct FieldPlot<'a> {
     pub axes: [String; 2],
     /// Colours of the values.
     pub colormap: Colormap,
-    /// Values at the ends of the colour bar; those beyond it keep the end's colour and
+    /// Values at the ends of the colour bar, in the unit of `label`; those beyond it keep the end's colour and
     /// the bar is pointed. If not given, the least and largest value in sight, and for
     /// a diverging map ± the largest magnitude.
     pub range: Option<[f64; 2]>,
@@ -33,7 +33,7 @@ pub struct FieldPlot<'a> {
     /// Factors of x, y and the value in the mirror image that completes a half model: `[1, −1, 1]` a normal stress over y ≥ 0,
     /// `[−1, 1, −1]` a shear stress over x ≥ 0.
     pub mirror: Option<[f64; 3]>,
-    /// A value along which a line is drawn.
+    /// A value along which a line is drawn, in the unit of `label`.
     pub contour: Option<f64>,
     /// What stands below the title instead of the least and the largest value with their places.
     pub stated: Option<String>,
@@ -42,7 +42,7 @@ pub struct FieldPlot<'a> {
 }
 
 impl<'a> FieldPlot<'a> {
-    /// Makes the picture of a field over the whole mesh in the colours of Viridis, axes in `length_unit`.
+    /// Makes the picture of a field over the whole mesh in the colours of Viridis, axes in `length_unit`; `nodes` are in it, `values` in the unit of `label`.
     pub fn new(
         title: impl Into<String>,
         label: impl Into<String>,
@@ -84,14 +84,14 @@ impl<'a> FieldPlot<'a> {
         self
     }
 
-    /// Sets the values at the ends of the colour bar.
+    /// Sets the values at the ends of the colour bar, in the unit of `label`.
     #[must_use]
     pub fn between(mut self, low: f64, high: f64) -> Self {
         self.range = Some([low, high]);
         self
     }
 
-    /// Shows `[x_low, x_high, y_low, y_high]` only.
+    /// Shows `[x_low, x_high, y_low, y_high]` \[length\] only.
     #[must_use]
     pub fn window(mut self, window: [f64; 4]) -> Self {
         self.window = Some(window);
@@ -105,14 +105,14 @@ impl<'a> FieldPlot<'a> {
         self
     }
 
-    /// Completes a half model by its image, given by the factors of x, y and the value.
+    /// Completes a half model by its image, given by the factors \[1\] of x, y and the value.
     #[must_use]
     pub fn mirror(mut self, factors: [f64; 3]) -> Self {
         self.mirror = Some(factors);
         self
     }
 
-    /// Draws a line where the value is `level`.
+    /// Draws a line where the value is `level`, in the unit of `label`.
     #[must_use]
     pub fn contour(mut self, level: f64) -> Self {
         self.contour = Some(level);

@@ -16,7 +16,7 @@ pub(super) fn no_value(colormap: Colormap) -> Color {
 pub struct Pixels<'a> {
     /// Number of columns.
     pub columns: usize,
-    /// Values row by row from the top left; NaN where there is none.
+    /// Values row by row from the top left, in the unit of the plot's label; NaN where there is none.
     pub values: &'a [f64],
     /// Edges of the picture, `[x_low, x_high, y_low, y_high]` \[length\].
     pub edges: [f64; 4],
@@ -67,7 +67,7 @@ pub struct PlanePlot<'a> {
     pub subtitle: Option<String>,
     /// Values at pixels.
     pub pixels: Option<Pixels<'a>>,
-    /// Values at scattered places; grey where NaN.
+    /// Scattered places \[length\] and values there, in the unit of `label`; grey where NaN.
     pub dots: &'a [([f64; 2], f64)],
     /// Marks, drawn over the rest.
     pub marks: Vec<Marks>,
@@ -77,13 +77,13 @@ pub struct PlanePlot<'a> {
     pub axes: [String; 2],
     /// Colours of the values.
     pub colormap: Colormap,
-    /// Values at the ends of the colours; the least and greatest value if not given.
+    /// Values at the ends of the colours, in the unit of `label`; the least and greatest value if not given.
     pub range: Option<[f64; 2]>,
     /// The part to show, `[x_low, x_high, y_low, y_high]` \[length\].
     pub window: [f64; 4],
     /// Width of the whole figure \[px\].
     pub width: f64,
-    /// Image pixels per figure pixel, at most: 1 for figures that are shown or written at their own size, more for those that are
+    /// Image pixels per figure pixel \[1\], at most: 1 for figures that are shown or written at their own size, more for those that are
     /// magnified.
     pub sharpness: f64,
 }

@@ -59,9 +59,9 @@ pub struct SolverDependence {
     pub step: usize,
     /// The other solver in that step.
     pub solver: &'static str,
-    /// Change of the largest pressure there, as a part of it.
+    /// Change of the largest pressure there, as a part of it `[1]`.
     pub peak_pressure_change: f64,
-    /// Largest change of a traction there, as a part of the largest pressure.
+    /// Largest change of a traction there, as a part of the largest pressure `[1]`.
     pub traction_change: f64,
 }
 
@@ -74,9 +74,9 @@ pub struct CoarseLoadPath {
     pub step: usize,
     /// The larger number of increments.
     pub increments: usize,
-    /// Largest change of a traction, as a part of the largest pressure.
+    /// Largest change of a traction, as a part of the largest pressure `[1]`.
     pub traction_change: f64,
-    /// Change of the work of friction, as a part of it.
+    /// Change of the work of friction, as a part of it `[1]`.
     pub dissipation_change: f64,
 }
 
@@ -124,9 +124,9 @@ pub enum CutBackEffect {
         step: usize,
         /// Number of equal increments.
         increments: usize,
-        /// Largest change of a slip in the step, as a part of the largest.
+        /// Largest change of a slip in the step, as a part of the largest `[1]`.
         slip_change: f64,
-        /// Change of the work of friction, as a part of it.
+        /// Change of the work of friction, as a part of it `[1]`.
         dissipation_change: f64,
     },
     /// Tractions.
@@ -135,9 +135,9 @@ pub enum CutBackEffect {
         step: usize,
         /// Number of equal increments.
         increments: usize,
-        /// Change of the largest pressure, as a part of it.
+        /// Change of the largest pressure, as a part of it `[1]`.
         peak_pressure_change: f64,
-        /// Largest change of a traction, as a part of the largest pressure.
+        /// Largest change of a traction, as a part of the largest pressure `[1]`.
         traction_change: f64,
     },
 }

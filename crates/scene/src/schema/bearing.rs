@@ -24,7 +24,7 @@ pub enum BearingLaw {
 }
 
 impl BearingLaw {
-    /// Pressure over P/(D t) at `angle` `[rad]` from the direction of the force; at the end of the uniform one half of it, the mean
+    /// Pressure over P/(D t) `[1]` at `angle` `[rad]` from the direction of the force; at the end of the uniform one half of it, the mean
     /// of both sides.
     pub fn pressure(self, angle: f64) -> f64 {
         let turned = (angle + PI).rem_euclid(2.0 * PI) - PI;

@@ -19,7 +19,7 @@ const SIZES: [(&str, f64); 4] = [
     ("GiB", 1_073_741_824.0),
 ];
 
-/// An error relative to its number: `"1 %"` or `0.01`.
+/// An error relative to its number `[1]`: `"1 %"` or `0.01`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RelativeError(f64);
 
@@ -72,19 +72,19 @@ pub struct Bounds {
     pub reaction: Option<RelativeError>,
 }
 
-/// Time that a run may take: `"10 s"`.
+/// Time `[s]` that a run may take: `"10 s"`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Budget(f64);
 
-/// Memory that a run may take: `"4 GB"`.
+/// Memory `[byte]` that a run may take: `"4 GB"`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Memory(f64);
 
 impl RelativeError {
-    /// Least and largest one that can be asked for.
+    /// Least and largest one that can be asked for `[1]`.
     pub const RANGE: [f64; 2] = [1e-8, 0.5];
 
-    /// The error as a part of its number.
+    /// The error as a part of its number `[1]`.
     pub fn share(self) -> f64 {
         self.0
     }
@@ -133,7 +133,7 @@ impl Memory {
     /// What is taken where none is given: 4 GB.
     pub const DEFAULT: Self = Self(4e9);
 
-    /// The memory in bytes.
+    /// The memory `[byte]`.
     pub fn bytes(self) -> f64 {
         self.0
     }

@@ -25,7 +25,7 @@ pub enum LoadKind {
     Force {
         /// The edge.
         on: SetRef,
-        /// Unit vector.
+        /// Unit vector `[1]`.
         direction: [f64; 2],
         /// Magnitudes `[N]`.
         steps: Vec<f64>,
@@ -34,7 +34,7 @@ pub enum LoadKind {
     Bearing {
         /// The hole.
         on: SetRef,
-        /// Unit vector of the force on the body; the pressure's middle lies there.
+        /// Unit vector `[1]` of the force on the body; the pressure's middle lies there.
         direction: [f64; 2],
         /// How the pressure is spread.
         law: BearingLaw,
@@ -54,7 +54,7 @@ pub enum LoadKind {
         on: SetRef,
         /// The table.
         table: PolarTable,
-        /// Factors of the table's stresses.
+        /// Factors of the table's stresses `[1]`.
         steps: Vec<f64>,
     },
     /// A temperature change of a body.
@@ -78,7 +78,7 @@ impl LoadKind {
         }
     }
 
-    /// The history, in whatever unit it has.
+    /// The history, in the unit of the kind's `steps`.
     pub fn steps(&self) -> &[f64] {
         match self {
             Self::Force { steps, .. }

@@ -68,7 +68,7 @@ pub struct Lap {
     pub diameter: f64,
     /// Young's modulus of the fastener `[stress]`.
     pub young: f64,
-    /// Poisson's ratio of the fastener.
+    /// Poisson's ratio of the fastener `[1]`.
     pub poisson: f64,
 }
 

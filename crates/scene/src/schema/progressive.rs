@@ -55,7 +55,7 @@ pub enum Control {
         end: f64,
         /// In how many increments.
         increments: usize,
-        /// Part of the peak load, in (0, 1], by which the load falls before the history ends.
+        /// Part `[1]` of the peak load, in (0, 1], by which the load falls before the history ends.
         drop: f64,
     },
 }

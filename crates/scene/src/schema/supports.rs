@@ -46,7 +46,7 @@ impl Axes {
         }
     }
 
-    /// Their unit vectors.
+    /// Their unit vectors `[1]`.
     pub fn directions(self) -> Vec<[f64; 2]> {
         let all = [(self.x, [1.0, 0.0]), (self.y, [0.0, 1.0])];
         let among = all.into_iter().filter(|(is_among, _)| *is_among);
@@ -108,7 +108,7 @@ pub enum Hold {
 }
 
 impl Hold {
-    /// The unit vectors along which it holds, one or two.
+    /// The unit vectors `[1]` along which it holds, one or two.
     pub fn directions(self) -> Vec<[f64; 2]> {
         match self {
             Self::Axes(axes) => axes.directions(),

@@ -11,30 +11,30 @@ use stickslip_mesher::{Course, Stretch};
 pub enum Curve {
     /// A closed circle.
     Circle {
-        /// Its centre.
+        /// Its centre `[mm]`.
         centre: Point,
-        /// Its radius.
+        /// Its radius `[mm]`.
         radius: f64,
     },
     /// A part of a circle.
     Arc {
-        /// Centre of the circle.
+        /// Centre of the circle `[mm]`.
         centre: Point,
-        /// Radius of the circle.
+        /// Radius of the circle `[mm]`.
         radius: f64,
-        /// Its ends; on the way from the first to the second the body is on the left.
+        /// Its ends `[mm]`; on the way from the first to the second the body is on the left.
         ends: [Point; 2],
         /// The angle on that way, counter-clockwise positive `[rad]`, less than 2π in magnitude.
         turn: f64,
     },
     /// A straight line.
     Segment {
-        /// Its ends; on the way from the first to the second the body is on the left.
+        /// Its ends `[mm]`; on the way from the first to the second the body is on the left.
         ends: [Point; 2],
     },
     /// Anything else: a spline, several lines, arcs and splines, or an edge of a mesh whose curve is not known.
     Chain {
-        /// The smallest and the largest x and y of its points.
+        /// The smallest and the largest x and y of its points `[mm]`.
         bounds: [Point; 2],
         /// Its lines, arcs and splines with the body on their left; empty where they are not known.
         stretches: Vec<Stretch>,

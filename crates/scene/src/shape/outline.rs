@@ -42,7 +42,7 @@ pub trait Outline: fmt::Debug {
     /// Its edges, in the order in which messages list them.
     fn edges(&self) -> Vec<Edge>;
 
-    /// Its named points that are no edges, with their places.
+    /// Its named points that are no edges, with their places `[mm]`.
     fn points(&self) -> Vec<(Cow<'static, str>, Point)> {
         Vec::new()
     }
@@ -52,7 +52,7 @@ pub trait Outline: fmt::Debug {
         &[]
     }
 
-    /// The smallest and the largest x and y of its points.
+    /// The smallest and the largest x and y of its points `[mm]`.
     fn bounds(&self) -> [Point; 2];
 
     /// The coordinate that changes sign between its two mirror halves, 0 for x and 1 for y; `None` if it is modelled whole. The half on
@@ -114,12 +114,12 @@ pub trait Outline: fmt::Debug {
         false
     }
 
-    /// Up to which angle `[rad]` or length its contact edge is divided equally, where the scene says `given`; `None` for all of it.
+    /// Up to where its contact edge is divided equally `[rad or mm]`, where the scene says `given`; `None` for all of it.
     fn fine_to(&self, given: Option<f64>) -> Option<f64> {
         given
     }
 
-    /// By how many times the smallest cells along its edges are smaller than the largest ones, where the scene says so.
+    /// By how many times the smallest cells along its edges are smaller than the largest ones `[1]`, where the scene says so.
     fn refinement(&self) -> f64 {
         1.0
     }
@@ -155,7 +155,7 @@ pub trait Outline: fmt::Debug {
         None
     }
 
-    /// One line about it, with lengths as `show` writes them.
+    /// One line about it, with lengths `[mm]` as `show` writes them.
     fn describe(&self, show: &dyn Fn(f64) -> String) -> String;
 
     /// Whether `name` is that of an area, and of no edge or point that a file calls the same.
@@ -234,12 +234,12 @@ pub enum Role {
 pub enum Touch {
     /// A circle in a hole.
     Circles {
-        /// Radii of the hole and of the circle.
+        /// Radii of the hole and of the circle `[mm]`.
         radii: [f64; 2],
     },
     /// A cap on a surface.
     Cylinder {
-        /// Radius of the cap.
+        /// Radius of the cap `[mm]`.
         radius: f64,
     },
     /// Open edges of known curves, which stand where their bodies' coordinates say.
@@ -294,7 +294,7 @@ impl Edge {
         }
     }
 
-    /// The coordinate along `axis` (0 for x, 1 for y) that all points of a straight edge share.
+    /// The coordinate `[mm]` along `axis` (0 for x, 1 for y) that all points of a straight edge share.
     pub fn level(&self, axis: usize) -> Option<f64> {
         match self.curve {
             Curve::Segment { ends: [from, to] } if from[axis] == to[axis] => Some(from[axis]),
@@ -302,7 +302,7 @@ impl Edge {
         }
     }
 
-    /// The side of the line `axis` = 0 (0 for x, 1 for y) on which the whole edge lies: 1 for coordinates ≥ 0, −1 for coordinates ≤ 0;
+    /// The side of the line `axis` = 0 (0 for x, 1 for y) on which the whole edge lies `[1]`: 1 for coordinates ≥ 0, −1 for coordinates ≤ 0;
     /// `None` for a circle and an edge that crosses the line.
     pub fn side(&self, axis: usize) -> Option<f64> {
         let [least, most] = self.curve.range(axis);
@@ -371,11 +371,11 @@ pub struct Divided<'a> {
     pub kind: ElementKind,
     /// Angles of the corner nodes of a round shape `[rad]`, from 0 to π (half) or to below 2π (whole); empty for others.
     pub angles: &'a [f64],
-    /// Spacing of corner nodes on the contact edge of a shape that is not round; `None` where the scene gives angles.
+    /// Spacing of corner nodes on the contact edge of a shape that is not round `[mm]`; `None` where the scene gives angles.
     pub spacing: Option<f64>,
-    /// Up to where that spacing holds, where the scene says so.
+    /// Up to where that spacing holds, in its unit, where the scene says so.
     pub fine_to: Option<f64>,
-    /// Places of the corner nodes on the contact edge instead, from end to end.
+    /// Places of the corner nodes on the contact edge instead, from end to end `[mm]`.
     pub places: Option<&'a [f64]>,
     /// Layers between a hole and what surrounds it, where the scene gives them.
     pub layers: Option<usize>,
@@ -385,7 +385,7 @@ pub struct Divided<'a> {
     pub most_layers: usize,
     /// Half or whole.
     pub extent: Extent,
-    /// Where the body's centre stands.
+    /// Where the body's centre stands `[mm]`.
     pub centre: Point,
     /// The shape that it is divided together with, of a cap or a surface.
     pub partner: Option<&'a dyn Outline>,
@@ -442,7 +442,7 @@ pub enum DivisionError {
     /// So many nodes that they are not counted exactly.
     #[error("the mesh would have about {nodes:.3e} nodes")]
     TooManyNodes {
-        /// About how many.
+        /// About how many `[1]`.
         nodes: f64,
     },
     /// The generator refuses its input.

@@ -36,9 +36,9 @@ const NAME: &str = "outline";
 pub struct Profile {
     /// Its edges, cut-outs and holes; the angles of holes are those of a mesh.
     pub contour: Contour,
-    /// By how many times cells along each piece of the outline, and then of the cut-outs, are smaller than the largest.
+    /// By how many times cells along each piece of the outline, and then of the cut-outs, are smaller than the largest `[1]`.
     pub refine: Vec<f64>,
-    /// Named places where edges end.
+    /// Named places where edges end `[mm]`.
     pub points: BTreeMap<String, Point>,
     /// By what it is turned from how it is drawn `[rad]`.
     pub(super) turn: f64,

@@ -14,7 +14,7 @@ const USELESS: f64 = 0.1;
 /// How well the outer edge is fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
-    /// Residual to stop at, see [`Fit::residual`](super::Fit::residual).
+    /// Residual `[1]` to stop at, see [`Fit::residual`](super::Fit::residual).
     pub tolerance: f64,
     /// Largest degree of the polynomials, at which the fit stops whatever it leaves.
     pub degree: usize,

@@ -47,17 +47,17 @@ pub enum Outcome {
 pub struct Measures {
     /// The load of that step, in [`Sweep::load_unit`].
     pub load: Option<f64>,
-    /// Largest contact pressure of the joint.
+    /// Largest contact pressure of the joint, in the display unit of stress.
     pub peak_pressure: Option<f64>,
     /// Half of the angle that contact reaches over `[degree]`.
     pub contact_half_angle: Option<f64>,
-    /// Largest hoop stress on the hole, and its place `[degree]`.
+    /// Largest hoop stress on the hole, in the display unit of stress, and its place `[degree]`.
     pub peak_hoop: Option<[f64; 2]>,
     /// Half of the angle of the stick zone around the bearing point `[degree]`.
     pub stick_half_angle: Option<f64>,
-    /// Bearing stress |F| / (D t) of the contact force F.
+    /// Bearing stress |F| / (D t) of the contact force F, in the display unit of stress.
     pub bearing_stress: Option<f64>,
-    /// Part of the contact in the load of its first body, where several act on that.
+    /// Part of the contact in the load of its first body `[1]`, where several act on that.
     pub load_share: Option<f64>,
     /// Estimated errors of these, where the case states any.
     pub errors: MeasureErrors,
@@ -93,7 +93,7 @@ pub struct MeasureErrors {
 pub struct PlyFailure {
     /// Its load, in [`Sweep::load_unit`].
     pub load: Option<f64>,
-    /// Estimated error of the load, where the case states one.
+    /// Estimated error of the load, in its unit, where the case states one.
     pub load_error: Option<f64>,
     /// Its direction, with its name where there are several plies.
     pub ply: String,
@@ -112,9 +112,9 @@ pub struct PlyFailure {
 pub struct JointLoad {
     /// Its load, in [`Sweep::load_unit`].
     pub load: Option<f64>,
-    /// Estimated error of the load, where the case states one.
+    /// Estimated error of the load, in its unit, where the case states one.
     pub load_error: Option<f64>,
-    /// That load over D t; `None` where the load is no force.
+    /// That load over D t, in the display unit of stress; `None` where the load is no force.
     pub bearing_stress: Option<f64>,
     /// The mode, by the angle.
     pub mode: JointMode,

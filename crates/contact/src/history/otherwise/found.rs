@@ -7,18 +7,18 @@ pub struct Difference {
     pub solver: &'static str,
     /// Equal increments of the other way.
     pub increments: usize,
-    /// Change of the largest pressure, relative to the largest pressure of the answer.
+    /// Change of the largest pressure `[1]`, relative to the largest pressure of the answer.
     pub peak_pressure: f64,
-    /// Largest change of a pressure or tangential traction, relative to the largest pressure of the answer.
+    /// Largest change of a pressure or tangential traction `[1]`, relative to the largest pressure of the answer.
     pub traction: f64,
-    /// Largest change of the slip of a point in the step, relative to the largest slip in it either way; 0 if it is rounding of motions.
+    /// Largest change of the slip of a point in the step `[1]`, relative to the largest slip in it either way; 0 if it is rounding of motions.
     pub slip: f64,
-    /// Change of the work of friction in the step, relative to the larger one; 0 if it is rounding.
+    /// Change of the work of friction in the step `[1]`, relative to the larger one; 0 if it is rounding.
     pub dissipation: f64,
 }
 
 impl Difference {
-    /// Differences beyond this part are more than rounding; of tractions, another answer.
+    /// Differences beyond this part `[1]` are more than rounding; of tractions, another answer.
     pub const DISTINCT: f64 = 1e-6;
 
     /// Whether the other way ends at another answer.
@@ -75,7 +75,7 @@ pub struct Otherwise {
 }
 
 impl Otherwise {
-    /// Floating-point operations of pivoting that all comparisons of one problem's history may take.
+    /// Number of floating-point operations `[1]` of pivoting that all comparisons of one problem's history may take.
     pub const EFFORT: f64 = 1e9;
     /// How many times as many increments steps are compared with that have few.
     pub const FINER: usize = 4;

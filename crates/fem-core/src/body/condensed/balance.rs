@@ -20,18 +20,18 @@ pub struct BodyBalance {
     pub reaction: [f64; 2],
     /// Their moment about the origin `[force·length]`.
     pub reaction_moment: f64,
-    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces, or to a
+    /// Unbalanced resultant of reactions, loads and contact `[1]`, relative to half the sum of all applied nodal forces, or to a
     /// thousandth of the largest such sum in the history where that is more.
     pub force: f64,
-    /// Unbalanced moment, relative to that sum times the body's size.
+    /// Unbalanced moment, relative to that sum times the body's size `[1]`.
     pub moment: f64,
-    /// Largest unbalanced force on a node that nothing holds, relative to that sum.
+    /// Largest unbalanced force on a node that nothing holds, relative to that sum `[1]`.
     pub nodal: f64,
 }
 
 impl CondensedBody {
     /// Balance of the whole body in each of `states`: reactions (the part of the residual at held nodes), loads and contact
-    /// forces, as resultants. `residuals` are those of [`Self::residual_forces_of`] in the displacements `u`; reactions are also the forces of
+    /// forces, as resultants. `residuals` are those of [`Self::residual_forces_of`] in the displacements `u` `[length]`; reactions are also the forces of
     /// springs.
     pub fn balances_of(
         &self,

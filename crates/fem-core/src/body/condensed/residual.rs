@@ -15,7 +15,7 @@ impl CondensedBody {
             .swap_remove(0)
     }
 
-    /// Unbalanced nodal forces `[force]` of the displacements `u` of each of `states`: (K + K_s) u − f − λ, interleaved, with K_s of springs; at supported
+    /// Unbalanced nodal forces `[force]` of the displacements `u` `[length]` of each of `states`: (K + K_s) u − f − λ, interleaved, with K_s of springs; at supported
     /// nodes these are the reactions, elsewhere they vanish within rounding. One pass over the cells for all states.
     pub fn residual_forces_of(&self, u: &[Vec<f64>], states: &[BodyLoad<'_>]) -> Vec<Vec<f64>> {
         let mut residuals = crate::body::assembly::internal_forces_of(&self.body, u);

@@ -7,7 +7,7 @@ use crate::body::elastic::ElasticBody;
 use crate::body::equations::{BodyStructure, HELD};
 
 impl BodyStructure {
-    /// The stiffness matrix of `body`, ordered as it is factorised; `body` must have the mesh and supports of this structure.
+    /// The stiffness matrix `[force/length]` of `body`, ordered as it is factorised; `body` must have the mesh and supports of this structure.
     pub fn stiffness(&self, body: &ElasticBody) -> crate::linalg::LowerMatrix {
         assemble(body, self).matrix
     }

@@ -60,9 +60,9 @@ pub enum CriterionBreach {
     /// A ply without stress fails.
     #[error("a ply without stress has the index {index} and the reserve factor {reserve_factor}")]
     FailsUnloaded {
-        /// Index, which must be less than 1.
+        /// Index, dimensionless, which must be less than 1.
         index: f64,
-        /// Reserve factor, which must be infinite.
+        /// Reserve factor, dimensionless, which must be infinite.
         reserve_factor: f64,
     },
     /// The answer depends on the sign of the shear stress.
@@ -82,13 +82,13 @@ pub enum CriterionBreach {
         "the reserve factor of {factor} times the stress {stress:?} is {found}, and that of the stress itself {single}"
     )]
     NotHomogeneous {
-        /// Multiple of the stress.
+        /// Multiple of the stress, dimensionless.
         factor: f64,
-        /// The stress.
+        /// The stress (σ₁, σ₂, τ₁₂) `[stress]`.
         stress: [f64; 3],
-        /// Reserve factor of the multiple.
+        /// Reserve factor of the multiple, dimensionless.
         found: f64,
-        /// Reserve factor of the stress.
+        /// Reserve factor of the stress, dimensionless.
         single: f64,
     },
     /// The index is 1 or more before the reserve factor is reached.
@@ -96,11 +96,11 @@ pub enum CriterionBreach {
         "the index is {index} at {factor} times the load, below the reserve factor {reserve_factor}, at {loading:?}"
     )]
     FailsBefore {
-        /// The index there.
+        /// The index there, dimensionless.
         index: f64,
-        /// Multiple of the load.
+        /// Multiple of the load, dimensionless.
         factor: f64,
-        /// Reserve factor.
+        /// Reserve factor, dimensionless.
         reserve_factor: f64,
         /// The loading.
         loading: PlyLoading,
@@ -110,9 +110,9 @@ pub enum CriterionBreach {
         "the index is {index} at the reserve factor {reserve_factor}, where it must reach 1, at {loading:?}"
     )]
     HoldsBeyond {
-        /// The index just beyond the reserve factor.
+        /// The index just beyond the reserve factor, dimensionless.
         index: f64,
-        /// Reserve factor.
+        /// Reserve factor, dimensionless.
         reserve_factor: f64,
         /// The loading.
         loading: PlyLoading,

@@ -25,9 +25,9 @@ pub enum PointBreach {
     /// A step of the sample is refused.
     #[error("it refuses the strain {strain:?} at the temperature rise {temperature}: {cause}")]
     Refused {
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
-        /// Requested temperature rise.
+        /// Requested temperature rise `[temperature]`.
         temperature: f64,
         /// The error.
         cause: ProgressiveError,
@@ -37,7 +37,7 @@ pub enum PointBreach {
     NotFinite {
         /// Which one.
         quantity: &'static str,
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
     },
     /// The trial state is not that of the strain and temperature asked for.
@@ -47,7 +47,7 @@ pub enum PointBreach {
     OtherState {
         /// Strain, temperature rise or number of layers.
         quantity: &'static str,
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
     },
     /// The same step from the same state has two answers.
@@ -55,7 +55,7 @@ pub enum PointBreach {
         "evaluated again after a rejected step, it gives another answer at the strain {strain:?}"
     )]
     NotPure {
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
     },
     /// A step without change of strain and temperature changes stress or state.
@@ -65,11 +65,11 @@ pub enum PointBreach {
     ZeroStep {
         /// What changes.
         quantity: &'static str,
-        /// Its value before.
+        /// Its value before, in the unit of the quantity.
         before: f64,
-        /// Its value after.
+        /// Its value after, in the unit of the quantity.
         after: f64,
-        /// The strain.
+        /// The strain, dimensionless.
         strain: [f64; 3],
     },
     /// The tangent is not symmetric.
@@ -85,7 +85,7 @@ pub enum PointBreach {
         upper: f64,
         /// Entry at (column, row) `[stress]`.
         lower: f64,
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
     },
     /// The tangent is not the derivative of the stress.
@@ -103,7 +103,7 @@ pub enum PointBreach {
         difference: f64,
         /// Largest accepted distance between both `[stress]`.
         tolerance: f64,
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
     },
     /// Energy comes back that was dissipated.
@@ -113,7 +113,7 @@ pub enum PointBreach {
         before: f64,
         /// Energy dissipated after it `[stress]`.
         after: f64,
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
     },
     /// The stored energy is negative.
@@ -121,7 +121,7 @@ pub enum PointBreach {
     NegativeStored {
         /// Energy stored per volume `[stress]`.
         stored: f64,
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
     },
     /// Damage heals.
@@ -129,7 +129,7 @@ pub enum PointBreach {
     Healed {
         /// Index of the layer, from the bottom, from 0.
         layer: usize,
-        /// Requested strain.
+        /// Requested strain, dimensionless.
         strain: [f64; 3],
     },
     /// A step that makes no sense gets an answer, or another error than the one for it.

@@ -2,7 +2,7 @@
 
 use stickslip_report::table::Table;
 
-/// Returns quantities, their signs here, and where other programs or texts differ.
+/// Quantities, their signs here, and where other programs or texts differ.
 pub fn signs() -> impl Iterator<Item = [&'static str; 3]> {
     let lines = include_str!("signs.txt").lines();
     lines.map(|line| {
