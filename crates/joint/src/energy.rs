@@ -28,7 +28,7 @@ impl Equilibrium {
     pub(crate) fn of(state: &JointState) -> Self {
         let bodies = state.bodies.iter().map(|body| BodyState {
             displacements: body.displacements.clone(),
-            support_force: body.support_force,
+            support_work: body.support_work,
             ..BodyState::default()
         });
         Self {
@@ -61,7 +61,7 @@ impl Equilibrium {
                 .sum::<f64>();
             let driven =
                 joint.drive(index, &end.multipliers) - joint.drive(index, &self.multipliers);
-            work += f64::midpoint(from.support_force, to.support_force) * driven;
+            work += f64::midpoint(from.support_work, to.support_work) * driven;
         }
         work
     }

@@ -17,7 +17,7 @@ pub enum Pull {
         /// Unit vector `[1]`.
         direction: [f64; 2],
     },
-    /// The force of the driven supports of body `body` along their unit displacements.
+    /// The force of the driven supports of body `body` along their displacement: their work over the largest one of a node.
     Supports {
         /// Index of the body.
         body: usize,
@@ -95,12 +95,13 @@ impl Gauge {
         Ok(())
     }
 
-    /// Load `[force]` and displacement `[length]` under contact forces `forces`.
+    /// Load `[force]` and displacement `[length]` under contact forces `forces`, where driven supports move by `pulled_by` `[length]` at a multiplier of 1.
     pub(crate) fn read(
         &self,
         problem: &InterfaceProblem,
         forces: &DVector<f64>,
         bodies: &[BodyState],
+        pulled_by: f64,
     ) -> [f64; 2] {
         let force = match self.pull {
             Pull::Contact { pair, direction } => {
@@ -114,7 +115,7 @@ impl Gauge {
                     })
                     .sum()
             }
-            Pull::Supports { body } => bodies[body].support_force,
+            Pull::Supports { body } => bodies[body].support_work / pulled_by,
         };
         let at = |mark: Mark| match mark {
             Mark::Fixed => 0.0,

@@ -4,7 +4,7 @@ use stickslip_contact::ContactPair;
 
 use crate::body::{self, JointBody};
 use crate::error::JointError;
-use crate::gauge::Gauge;
+use crate::gauge::{Gauge, Pull};
 
 /// How a load history is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,6 +96,8 @@ pub struct Joint {
     pub(crate) options: Options,
     /// Displacements that the supports of each body prescribe for a multiplier of 1; `None` where they prescribe none.
     pub(crate) support_motion: Vec<Option<Vec<f64>>>,
+    /// By how much the driven supports that pull move a node at most at a multiplier of 1 `[length]`; 1 where none pull.
+    pub(crate) pulled_by: f64,
 }
 
 impl Joint {
@@ -115,8 +117,16 @@ impl Joint {
             let motion = structure.support_motion();
             motion.iter().any(|value| *value != 0.0).then_some(motion)
         };
+        let support_motion: Vec<Option<Vec<f64>>> = bodies.iter().map(motion).collect();
+        let pulling = match gauge.pull {
+            Pull::Supports { body } => support_motion[body].as_deref(),
+            Pull::Contact { .. } => None,
+        };
+        let node = |motion: &[f64]| motion[0].hypot(motion[1]);
+        let largest = |motion: &[f64]| motion.chunks_exact(2).map(node).fold(0.0, f64::max);
         Ok(Self {
-            support_motion: bodies.iter().map(motion).collect(),
+            pulled_by: pulling.map_or(1.0, largest),
+            support_motion,
             bodies,
             pairs,
             gauge,

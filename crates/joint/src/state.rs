@@ -23,8 +23,8 @@ pub struct JointState {
 pub struct BodyState {
     /// Displacements of all nodes `[length]`, interleaved; of the contact points of a rigid body.
     pub displacements: Vec<f64>,
-    /// Force `[force]` with which the driven supports act along their unit displacements: power per rate of the multiplier, so a force where a multiplier of 1 moves them by 1 `[length]`.
-    pub support_force: f64,
+    /// Work `[force·length]` of the driven supports on their displacements at a multiplier of 1.
+    pub support_work: f64,
     /// Largest nodal force `[force]` so far, by which unbalanced forces are measured where little is left of the load.
     pub largest_force: f64,
     /// History of each quadrature point; empty unless the body has one.
@@ -79,7 +79,7 @@ impl JointState {
             });
             BodyState {
                 displacements: vec![0.0; 2 * body.node_count()],
-                support_force: 0.0,
+                support_work: 0.0,
                 largest_force: 0.0,
                 stress: vec![[0.0; 3]; points.len()],
                 points,

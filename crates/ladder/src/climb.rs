@@ -66,7 +66,7 @@ pub(crate) fn climb(
         models,
     };
     let (base, mut model) = climb.kinematics(progress)?;
-    let (base, path) = match climb.increments(base, progress) {
+    let (base, mut path) = match climb.increments(base, progress) {
         Err(why) if model.is_chosen_deformed => {
             model = Geometry::unknown(&why);
             climb.models.kinematics = KinematicsChoice::Small;
@@ -79,8 +79,16 @@ pub(crate) fn climb(
     let coarse = (climb.models).level(base.rung - 1, &base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
-        let errors = climb.errors(&levels, &path, &model);
-        let end = climb.end(&levels, &errors, &path);
+        let mut errors = climb.errors(&levels, &path, &model);
+        let mut end = climb.end(&levels, &errors, &path);
+        if end.is_some()
+            && let Some(finer) = climb.in_more_increments(&levels, progress)
+            && let Some(last) = levels.last()
+        {
+            path = path.at_least(&finer.numbers, &last.numbers);
+            errors = climb.errors(&levels, &path, &model);
+            end = climb.end(&levels, &errors, &path);
+        }
         let next = match (end, levels.last()) {
             (None, Some(last)) => {
                 let rung = last.rung + 1;
@@ -312,6 +320,18 @@ impl Climb<'_> {
         }
     }
 
+    /// The last of `levels` with twice as many increments, where the scene gives them and friction acts.
+    fn in_more_increments(
+        &mut self,
+        levels: &[Level],
+        progress: &mut dyn FnMut(Progress),
+    ) -> Option<Level> {
+        let last = levels.last().filter(|last| last.rubs())?;
+        self.scene.analysis.substeps?;
+        let substeps = times(2, &last.substeps);
+        self.level_in_time(last.rung, &substeps, progress).ok()?
+    }
+
     /// The steps of `level` that more increments have to divide after those that left `found`: those with too large an error, and those before them that may have left it, where it is
     /// not their own or they have [`INCREMENTS`].
     fn to_halve(&self, level: &Level, found: &Halved) -> Vec<bool> {
@@ -428,7 +448,12 @@ impl Climb<'_> {
         } else if self.is_spent(last) {
             Some(LadderEnd::Budget)
         } else if self.models.is_finest(last.rung) {
-            Some(LadderEnd::Finest)
+            let is_of_path = is_pinned && left > 1.0 && left > others;
+            Some(if is_of_path {
+                LadderEnd::LoadPath
+            } else {
+                LadderEnd::Finest
+            })
         } else {
             self.is_too_large_next(last).then_some(LadderEnd::Memory)
         }

@@ -231,10 +231,31 @@ impl Changes<'_> {
             None if stated.is_of_nodes() && !self.nodes.are_graded() => {
                 by_models.max(0.5 * self.fine.spacings[edge])
             }
+            None if stated == Stated::ContactExtent => by_models.max(0.5 * self.end_spacing(at)),
             // Of two models alone the largest node of the coarse one may lie near the peak by chance.
             None if self.nodes.are_graded() && stated.is_fitted() => NODAL * by_models,
             None => by_models,
         })
+    }
+
+    /// The largest distance of neighbouring nodes one of which touches `[rad or mm]`: contact ends somewhere between them.
+    fn end_spacing(&self, [step, edge]: At) -> f64 {
+        let geometry = &self.fine.own[step][edge];
+        let rows = &self.fine.steps[step][edge].rows;
+        let count = rows.len();
+        let period = geometry.closed().filter(|_| !geometry.half);
+        let last = if period.is_some() {
+            count
+        } else {
+            count.saturating_sub(1)
+        };
+        let width = |k: usize| {
+            let apart = geometry.parameter[(k + 1) % count] - geometry.parameter[k];
+            period.map_or(apart, |period| apart.rem_euclid(period))
+        };
+        let touches = |k: usize| rows[k % count].status.touches();
+        let ends = (0..last).filter(|&k| touches(k) != touches(k + 1));
+        ends.map(width).fold(0.0, f64::max)
     }
 
     fn size(&self, at: At, stated: Stated) -> Option<f64> {

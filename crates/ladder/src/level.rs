@@ -62,11 +62,12 @@ impl Level {
     }
 
     /// Whether points that were open before the load step `step` bear most of its load, or a part of one that falls: the first force is then no part of a path that goes on, and which points stick
-    /// when they close may change with increments that are small alone.
+    /// when they close may change with increments that are small alone. So it may in a first step that presses bodies that overlap on each other all around.
     pub(super) fn closes_again(&self, step: usize) -> bool {
         let records = &self.solved.records;
         let Some(before) = step.checked_sub(1).map(|before| &records[before].state) else {
-            return false;
+            let mut contacts = self.model.contacts.iter();
+            return contacts.any(|contact| contact.interference);
         };
         let state = &records[step].state;
         let points = 0..state.status.len();

@@ -23,7 +23,7 @@ const INTERVALS: usize = 30;
 /// The finest nodes far from where contact changes are 2⁴ times closer than the coarsest.
 const GRADINGS: usize = 4;
 /// The same with deformed gaps. Where nodes are much closer than contact points travel along each other, the geometry does not settle.
-const DEFORMED_GRADINGS: usize = 3;
+const DEFORMED_GRADINGS: usize = 4;
 /// The finest cells are 2⁴ times smaller than the coarsest.
 const HALVINGS: usize = 4;
 

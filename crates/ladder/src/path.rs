@@ -8,6 +8,8 @@
 //!
 //! A change may vanish by chance, so those before count as if every halving took half of them. Only steps whose error is too large are divided further;
 //! what a step that is not leaves in those after it is at most its own error, and theirs from when both were last halved.
+//!
+//! Where the scene gives the increments, nothing is gained by few nodes: the last model itself is walked with twice as many as well.
 
 use super::along::Along;
 use super::motions::{self, Halving, Motions};
@@ -214,6 +216,20 @@ pub(super) fn of_pinned(finer: &Numbers, base: &Numbers, substeps: &[usize]) -> 
         numbers,
         along: along.times(of_four()),
         sets: motions::of_pinned(&finer.sets, &base.sets),
+    }
+}
+
+impl Left {
+    /// At least what twice as many increments of the model itself change, those of `finer`: peaks and ends of stick that a coarse model does not have do not change in it either.
+    pub(super) fn at_least(self, finer: &Numbers, base: &Numbers) -> Self {
+        let change = difference(finer, base);
+        let mut own = zipped(&change, &Table::new(), error);
+        keep_forces(&mut own);
+        adjust(&mut own, &base.steps);
+        Self {
+            numbers: zipped(&self.numbers, &own, larger),
+            ..self
+        }
     }
 }
 

@@ -394,6 +394,37 @@ mod tests {
         }
     }
 
+    /// Cubic between nodes: parabolas are exact on an open edge, and modes around a closed one are off by h³.
+    #[test]
+    fn displacements_are_read_between_nodes() {
+        let at = [0.0, 0.5, 1.0, 1.2, 1.3, 2.1, 2.8];
+        let parabola = |s: f64| [0.2 - 0.7 * s + 0.3 * s * s, s];
+        let moved = at.map(parabola);
+        let curve = level(&at, 1).unwrap();
+        for s in [0.6, 1.0, 1.27, 2.05] {
+            let [found, along] = curve.displacement(&moved, s);
+            assert!(
+                (found - parabola(s)[0]).abs() < 1e-14 && (along - s).abs() < 1e-14,
+                "{s}"
+            );
+        }
+        let off = |cells: usize| {
+            let curve = closed(cells, 1);
+            let mode = |s: f64| [(3.0 * s).cos(), (2.0 * s).sin()];
+            let moved: Vec<Point> = curve.parameter.iter().map(|&s| mode(s)).collect();
+            let off = |s: f64| {
+                let found = curve.displacement(&moved, s);
+                (0..2)
+                    .map(|i| (found[i] - mode(s)[i]).abs())
+                    .fold(0.0, f64::max)
+            };
+            (0..500)
+                .map(|k| off(0.0137 * f64::from(k)))
+                .fold(0.0, f64::max)
+        };
+        assert!(off(40) / off(80) > 7.0 && off(80) < 3e-4);
+    }
+
     #[test]
     fn nodes_that_make_no_cells_are_refused() {
         assert!(level(&[0.0, 0.5, 1.0, 1.5], 2).is_err());

@@ -16,6 +16,9 @@ use crate::results::{
 
 /// Part of the largest pressure by which more increments may change tractions without a finding.
 const COARSE: f64 = 0.01;
+/// Part of the work of friction in a step by which more increments may change it without a finding, and of the largest work of the history below which a step's does not matter.
+const COARSE_WORK: f64 = 0.05;
+const LITTLE_WORK: f64 = 0.01;
 /// Relative imbalance that ordinary rounding does not reach.
 const BALANCED: f64 = 1e-8;
 
@@ -124,13 +127,31 @@ fn cut_back(steps: &[StepResults]) -> Option<Finding> {
     })
 }
 
-/// Where more increments change tractions by more than a part of the largest pressure.
+/// Where more increments change tractions by more than a part of the largest pressure, or the work of friction by more than a larger part of it.
 fn coarse_path(steps: &[StepResults]) -> Option<Finding> {
     let finer = |step: &StepResults| step.notes.otherwise.path;
+    let work =
+        |step: &StepResults| -> f64 { step.edges.iter().map(|edge| edge.friction_work).sum() };
+    let little = LITTLE_WORK * steps.iter().map(work).fold(0.0, f64::max);
+    let part_of_work = |step: &StepResults, finer: Difference| {
+        let matters = work(step) > little;
+        if matters {
+            finer.dissipation.abs()
+        } else {
+            0.0
+        }
+    };
     let which = steps_where(steps, |step| {
-        finer(step).is_some_and(|finer| finer.traction > COARSE)
+        finer(step)
+            .is_some_and(|finer| finer.traction > COARSE || part_of_work(step, finer) > COARSE_WORK)
     })?;
-    let (step, most) = largest(steps, finer)?;
+    let (step, most) = match largest(steps, finer)? {
+        by_traction @ (_, most) if most.traction > COARSE => by_traction,
+        _ => {
+            let that_matters = |step: &StepResults| finer(step).filter(|_| work(step) > little);
+            largest_by(steps, that_matters, |finer| finer.dissipation.abs())?
+        }
+    };
     Some(Finding::CoarseLoadPath(CoarseLoadPath {
         steps: which,
         step,

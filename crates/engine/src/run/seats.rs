@@ -2,7 +2,8 @@
 //!
 //! Contact with deformed gaps takes displacements of the second edge at the place that is closest to a node of the first one. It follows them from the paired node by their derivative, so the
 //! pair must stand closer than displacements bend: beside an end of contact, where they have a root, closer than nodes are to each other. A pin moves along its hole by as much as its clearance
-//! and by slip. So nodes of the second circle are put where those of the first face it in the step with the largest contact force.
+//! and by slip. So nodes of the second circle are put where those of the first face it: in the step with the largest contact force, and of bodies by series in each step for itself
+//! ([`Seated`](super::Seated)).
 
 use std::f64::consts::TAU;
 

@@ -80,10 +80,10 @@ impl Solving<'_> {
         let mut stresses = stresses.iter();
         let bodies = (self.joint.bodies.iter().enumerate()).map(|(index, body)| BodyState {
             displacements: linear.displacements[index].clone(),
-            support_force: match (&self.joint.support_motion[index], body) {
+            support_work: match (&self.joint.support_motion[index], body) {
                 (Some(motion), JointBody::Progressive(body)) => {
                     let stress = stresses.next().copied().unwrap_or_default();
-                    self.support_force(linear, index, motion, &body.internal_forces(stress))
+                    self.support_work(linear, index, motion, &body.internal_forces(stress))
                 }
                 (None, JointBody::Progressive(_)) => {
                     stresses.next();
@@ -91,7 +91,7 @@ impl Solving<'_> {
                 }
                 (Some(motion), JointBody::Elastic(body)) => {
                     let internal = internal_forces(body.body(), &linear.displacements[index]);
-                    self.support_force(linear, index, motion, &internal)
+                    self.support_work(linear, index, motion, &internal)
                 }
                 (None, JointBody::Elastic(_)) | (_, JointBody::Rigid(_)) => 0.0,
             },
@@ -108,8 +108,8 @@ impl Solving<'_> {
         self.equilibrium = equilibrium;
     }
 
-    /// Force of the supports along their unit displacements `motion`.
-    pub(super) fn support_force(
+    /// Work `[force·length]` of the supports on their displacements `motion` at a multiplier of 1.
+    pub(super) fn support_work(
         &self,
         linear: &Linear,
         index: usize,
@@ -124,7 +124,12 @@ impl Solving<'_> {
     /// Load and displacement at the equilibrium.
     pub(super) fn read(&self, linear: &Linear) -> [f64; 2] {
         let forces = &linear.solution.trial.forces;
-        (self.joint.gauge).read(&linear.problem, forces, &self.equilibrium.bodies)
+        (self.joint.gauge).read(
+            &linear.problem,
+            forces,
+            &self.equilibrium.bodies,
+            self.joint.pulled_by,
+        )
     }
 
     /// Makes the solved linearisation the end of the increment.

@@ -77,8 +77,8 @@ impl Solving<'_> {
             if let Some(motion) = motion {
                 let drive = self.joint.drive(index, self.multipliers);
                 let internal = self.weakened_forces(index, end[index]);
-                driven += drive * self.start.bodies[index].support_force;
-                held += drive * self.support_force(linear, index, motion, &internal);
+                driven += drive * self.start.bodies[index].support_work;
+                held += drive * self.support_work(linear, index, motion, &internal);
             }
         }
         after > FACTOR * (before.abs() + driven.abs()) || (driven > 0.0 && FACTOR * held < driven)

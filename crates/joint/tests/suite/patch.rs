@@ -19,6 +19,11 @@ const HEIGHT: f64 = 2.0;
 
 /// A rectangle on rollers, its right side driven by 1.
 fn strip(model: &Arc<dyn PointModel>, kind: ElementKind) -> Joint {
+    strip_driven(model, kind, 1.0)
+}
+
+/// A rectangle on rollers, its right side driven by `driven` at a multiplier of 1.
+fn strip_driven(model: &Arc<dyn PointModel>, kind: ElementKind, driven: f64) -> Joint {
     let mesh: Arc<Mesh> = Arc::new(
         Rectangle::uniform([0.0, LENGTH], [0.0, HEIGHT], [4, 2], kind)
             .unwrap()
@@ -33,7 +38,7 @@ fn strip(model: &Arc<dyn PointModel>, kind: ElementKind) -> Joint {
     let supports = [
         hold("left", HeldDirection::X, 0.0),
         hold("bottom", HeldDirection::Y, 0.0),
-        hold("right", HeldDirection::X, 1.0),
+        hold("right", HeldDirection::X, driven),
     ];
     let laminate = model.laminate();
     let material = Arc::new(laminate.membrane_material().unwrap());
@@ -99,6 +104,17 @@ fn uniform_yield_is_exact() {
         assert_eq!(yields.count(), points);
         println!("{kind:?}: residuals {:?}", history.records[0].residuals);
     }
+}
+
+/// The load is a force, whatever a multiplier of 1 moves the supports by.
+#[test]
+fn the_load_does_not_depend_on_the_unit_of_the_drive() {
+    let model = plastic("[90]", 0.0);
+    let load = |driven: f64| {
+        let joint = strip_driven(&model, ElementKind::Q4, driven);
+        pull(joint, &[0.01 / driven], 1).records[0].load
+    };
+    assert!((load(0.02) / load(1.0) - 1.0).abs() < 1e-12);
 }
 
 /// Plies at right angles: those across fail at Y_t of their own stress, everywhere at once, and the load falls to what the rest

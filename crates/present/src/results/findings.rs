@@ -306,14 +306,25 @@ fn cut_back(steps: &[usize], effect: CutBackEffect) -> String {
 }
 
 fn coarse_load_path(coarse: &CoarseLoadPath) -> String {
+    /// Part of the largest pressure below which a change is rounding.
+    const ROUNDING: f64 = 1e-6;
+    let work = percent(coarse.dissipation_change);
+    let changes = if coarse.traction_change > ROUNDING {
+        format!(
+            "tractions of load step {} change by up to {} of the largest pressure, the work of friction by {work}, and stick and slip with them",
+            coarse.step,
+            percent(coarse.traction_change)
+        )
+    } else {
+        format!(
+            "tractions of load step {} stay, but the work of friction changes by {work}, and slip with it",
+            coarse.step
+        )
+    };
     format!(
-        "The answer depends on the number of increments in {}: with four times as many where the load path begins or turns, tractions of load step {} change by up \
-         to {} of the largest pressure, the work of friction by {}, and stick and slip with them. Set analysis.substeps to more, or leave it out and ask for an \
+        "The answer depends on the number of increments in {}: with four times as many where the load path begins or turns, {changes}. Set analysis.substeps to more, or leave it out and ask for an \
          analysis.accuracy.",
         load_steps(&coarse.steps),
-        coarse.step,
-        percent(coarse.traction_change),
-        percent(coarse.dissipation_change)
     )
 }
 

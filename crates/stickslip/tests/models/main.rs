@@ -11,6 +11,7 @@ mod frames;
 mod half_plane;
 mod halves;
 mod heated;
+mod increments;
 mod ladder;
 mod layers;
 mod mortar;

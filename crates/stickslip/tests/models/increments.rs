@@ -1,0 +1,141 @@
+//! Slip that moves a pin along its hole, and increments that the scene gives.
+
+use stickslip::results::{Finding, LadderEnd, Results, Stated};
+
+use super::solved;
+
+/// A pin with friction and some clearance, pulled in two steps and let go in two.
+const PIN: &str = r#"
+version = 1
+[materials.al.isotropic]
+young = "72 GPa"
+poisson = 0.33
+[materials.st.isotropic]
+young = "210 GPa"
+poisson = 0.3
+[bodies.plate]
+material = "al"
+thickness = "3 mm"
+shape.plate_with_hole = { hole_radius = "5 mm", outline.strip = { half_width = "15 mm", left = "50 mm", right = "15 mm" } }
+[bodies.pin]
+material = "st"
+thickness = "3 mm"
+shape.disk.radius = "4.985 mm"
+[[contacts]]
+first = "plate.hole"
+second = "pin.rim"
+friction.coulomb.mu = 0.65
+[[supports]]
+on = "pin.section"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.left"
+force = { direction = [-1, 0], steps = ["1 kN", "4 kN", "1.5 kN", "0.1 kN"] }
+[output]
+fields = "none"
+figures = false
+"#;
+
+const SMALL: &str = "analysis.kinematics=small";
+const DEFORMED: &str = "analysis.kinematics=deformed-gaps";
+
+/// How far `stated` of the contact in the step with this index is from that of `truth`, in parts of its error.
+fn off(found: &Results, truth: &Results, step: usize, stated: Stated) -> f64 {
+    let [own, other] = [found, truth].map(|results| &results.steps[step].edges[0]);
+    let [value, better] = [own, other].map(|edge| stated.value(edge).unwrap());
+    let doubt = other.errors.get(stated).unwrap_or(0.0);
+    ((value - better).abs() - doubt) / own.errors.get(stated).unwrap()
+}
+
+/// In every load step nodes of the pin stand where those of the hole face them, so that stresses at the ends of contact are as accurate on the deformed geometry as on the undeformed one.
+#[test]
+fn slip_does_not_spoil_peaks_on_the_deformed_geometry() {
+    let found = solved(PIN, &[DEFORMED, r#"analysis.accuracy="1 %""#]);
+    let ladder = found.ladder.as_ref().unwrap();
+    assert_eq!(ladder.end, LadderEnd::Reached, "{ladder:?}");
+    let truth = solved(PIN, &[DEFORMED, r#"analysis.accuracy="0.2 %""#]);
+    for step in 0..4 {
+        for stated in [
+            Stated::PeakHoop,
+            Stated::PeakPressure,
+            Stated::FrictionForce,
+        ] {
+            let off = off(&found, &truth, step, stated);
+            assert!(off < 1.0, "step {}, {stated:?}: {off}", step + 1);
+        }
+    }
+}
+
+/// A cusp of friction that increments leave at the end of contact is no part of a coarse model, whose own peak does not change with them.
+#[test]
+fn errors_hold_what_given_increments_leave() {
+    let truth = solved(
+        PIN,
+        &[
+            SMALL,
+            "analysis.substeps=64",
+            r#"analysis.accuracy="0.5 %""#,
+        ],
+    );
+    for substeps in [2, 4, 8, 16] {
+        let substeps = format!("analysis.substeps={substeps}");
+        let found = solved(PIN, &[SMALL, &substeps, r#"analysis.accuracy="2 %""#]);
+        for stated in [
+            Stated::PeakHoop,
+            Stated::PeakHoopPlace,
+            Stated::FrictionWork,
+        ] {
+            let off = off(&found, &truth, 0, stated);
+            assert!(off < 1.0, "{substeps}, {stated:?}: {off}");
+        }
+        assert_eq!(found.ladder.unwrap().end, LadderEnd::LoadPath, "{substeps}");
+    }
+}
+
+/// A pin that is too large touches all around from the first increment on, and up to eight of them change nothing.
+#[test]
+fn work_of_friction_of_a_tight_pin_lies_within_its_error() {
+    let tight = PIN.replace("4.985 mm", "5.005 mm").replace(
+        "friction.coulomb.mu = 0.65",
+        "friction.coulomb.mu = 0.3\ninterference = true",
+    );
+    let found = solved(&tight, &[SMALL, r#"analysis.accuracy="1 %""#]);
+    let truth = solved(
+        &tight,
+        &[SMALL, "analysis.substeps=64", "analysis.contact_nodes=241"],
+    );
+    let off = off(&found, &truth, 0, Stated::FrictionWork);
+    assert!(off < 1.0, "{off}");
+}
+
+/// Tractions may stay while the work of friction does not: under a load that grows in proportion more increments find another slip alone.
+#[test]
+fn increments_that_change_the_work_of_friction_are_found() {
+    let changes = [
+        SMALL,
+        "mesh.spacing=3 deg",
+        "loads.0.force.steps=[\"1 kN\"]",
+    ];
+    let found = solved(PIN, &changes);
+    let coarse = found
+        .findings
+        .iter()
+        .any(|finding| matches!(finding, Finding::CoarseLoadPath(_)));
+    assert!(coarse, "{:?}", found.findings);
+}
+
+/// A mortar projection has no cusp to fit, so contact ends somewhere between two nodes.
+#[test]
+fn ends_of_contact_between_nodes_have_errors_of_their_distance() {
+    let mortar = [
+        SMALL,
+        r#"contacts.0.projection="mortar""#,
+        r#"analysis.accuracy="2 %""#,
+    ];
+    let found = solved(PIN, &mortar);
+    let truth = solved(PIN, &[SMALL, r#"analysis.accuracy="0.5 %""#]);
+    for step in 0..3 {
+        let off = off(&found, &truth, step, Stated::ContactExtent);
+        assert!(off < 1.0, "step {}: {off}", step + 1);
+    }
+}
