@@ -164,9 +164,9 @@ pub enum FailureCause {
     /// every contact.
     #[error("the load cannot be balanced: nothing stops a rigid motion on which it does work{}", if *proved { " (proved)" } else { "" })]
     Unbalanced {
-        /// The rigid motion α, one number per mode, in the units of [`InterfaceProblem::modes`](crate::InterfaceProblem::modes).
+        /// The rigid motion α that begins, one number per mode, in the units of [`InterfaceProblem::modes`](crate::InterfaceProblem::modes).
         motion: Vec<f64>,
-        /// Whether that motion is a proof (Farkas): no admissible contact force works against it, whatever the points remember
+        /// Whether there is a proof (Farkas): a motion that differs from this one by the lift of sliding points, against which no admissible contact force works, whatever the points remember
         /// of slip.
         proved: bool,
     },

@@ -189,9 +189,9 @@ impl LoadHistory {
             .collect())
     }
 
-    /// Walks the history with each load step on its own nodes `thinned`, chosen among those of `wholes`, one for each step, one record of all points for each step; the records on the
-    /// chosen nodes are for [`thinned_otherwise`](Self::thinned_otherwise). The second edges of deformed gaps may have their nodes at other places from step to step. `observe` is called as soon
-    /// as a step is accepted.
+    /// Walks the history with each load step on its own nodes: of each step `wholes` has the bodies with all nodes, and `thinned` the chosen ones. Nodes of second edges may stand elsewhere from step to
+    /// step on the deformed geometry. Returns one record of all points for each step; the records on the chosen nodes are for [`thinned_otherwise`](Self::thinned_otherwise). `observe` is called
+    /// as soon as a step is accepted.
     ///
     /// # Errors
     /// As [`follow_parts`](Self::follow_parts), and [`ContactError::InvalidLoad`] if steps and choices of nodes differ in number.

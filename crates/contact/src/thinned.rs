@@ -10,8 +10,8 @@
 //! chosen nodes in the frames of the nodes, friction holds its cone there, bodies stay in balance, and what a mean over a bent edge leaves out is only what the
 //! nodes themselves leave out. The operator of a step is the congruence transform W C Wᵀ of that of the nodes.
 //!
-//! From step to step displacements of all nodes are carried over, which forces on the chosen nodes make exactly; those of the next step are means of them. What points remember is
-//! interpolated.
+//! From step to step displacements of all nodes are carried over, which forces on the chosen nodes make exactly; those of the next step are means of them. Where nodes of a second edge stand elsewhere in the
+//! next step, displacements there are read between them by cubics. What points remember is interpolated.
 
 mod hats;
 mod operator;

@@ -131,6 +131,11 @@ impl Along {
         self.joined(&other, |own, other| own + other)
     }
 
+    /// The larger ones of these and of errors at other nodes, which may be empty.
+    pub(super) fn or_larger(&self, other: &Self) -> Self {
+        self.joined(&other.at(&self.nodes), f64::max)
+    }
+
     /// Errors of at least [`LEAST`] of the largest along the edge, of tractions where there is contact; `of` are the numbers at the same nodes.
     pub(super) fn floored(mut self, of: &Numbers) -> Self {
         let edges = self.steps.iter_mut().zip(&of.steps);

@@ -79,16 +79,9 @@ pub(crate) fn climb(
     let coarse = (climb.models).level(base.rung - 1, &base.substeps, progress);
     let mut levels: Vec<Level> = coarse.into_iter().chain([base]).collect();
     loop {
-        let mut errors = climb.errors(&levels, &path, &model);
-        let mut end = climb.end(&levels, &errors, &path);
-        if end.is_some()
-            && let Some(finer) = climb.in_more_increments(&levels, progress)
-            && let Some(last) = levels.last()
-        {
-            path = path.at_least(&finer.numbers, &last.numbers);
-            errors = climb.errors(&levels, &path, &model);
-            end = climb.end(&levels, &errors, &path);
-        }
+        let errors = climb.errors(&levels, &path, &model);
+        let end = climb.end(&levels, &errors, &path);
+        let seating = climb.models.seating();
         let next = match (end, levels.last()) {
             (None, Some(last)) => {
                 let rung = last.rung + 1;
@@ -100,11 +93,30 @@ pub(crate) fn climb(
             _ => None,
         };
         let Some(level) = next else {
+            climb.models.sit_as(seating);
             let end = end.unwrap_or(if climb.ran_out {
                 LadderEnd::Budget
             } else {
                 LadderEnd::Finest
             });
+            let (errors, end) = match climb.in_more_increments(&levels, progress) {
+                None => (errors, end),
+                Some(Ok(finer)) => {
+                    path = path.at_least(&finer.numbers, &levels[levels.len() - 1].numbers);
+                    let errors = climb.errors(&levels, &path, &model);
+                    let other = climb.end(&levels, &errors, &path);
+                    let is_otherwise =
+                        end == LadderEnd::Reached || other == Some(LadderEnd::LoadPath);
+                    let end = if is_otherwise {
+                        other.unwrap_or(LadderEnd::LoadPath)
+                    } else {
+                        end
+                    };
+                    (errors, end)
+                }
+                // Of the load path too little is known.
+                Some(Err(_)) => (errors, LadderEnd::LoadPath),
+            };
             return climb.finish(levels, errors, &path, &model, end);
         };
         if let Some(last) = levels.last_mut() {
@@ -320,16 +332,18 @@ impl Climb<'_> {
         }
     }
 
-    /// The last of `levels` with twice as many increments, where the scene gives them and friction acts.
+    /// The last of `levels` with twice as many increments, whatever that takes, where the scene gives them, friction acts, and more of them were not compared on the same nodes.
     fn in_more_increments(
         &mut self,
         levels: &[Level],
         progress: &mut dyn FnMut(Progress),
-    ) -> Option<Level> {
-        let last = levels.last().filter(|last| last.rubs())?;
+    ) -> Option<Result<Level, RunError>> {
+        let last = levels.last().filter(|last| last.rubs() && last.rung > 1)?;
         self.scene.analysis.substeps?;
-        let substeps = times(2, &last.substeps);
-        self.level_in_time(last.rung, &substeps, progress).ok()?
+        Some(
+            self.models
+                .level(last.rung, &times(2, &last.substeps), progress),
+        )
     }
 
     /// The steps of `level` that more increments have to divide after those that left `found`: those with too large an error, and those before them that may have left it, where it is

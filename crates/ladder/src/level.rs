@@ -5,7 +5,7 @@ use stickslip_friction::History;
 
 use stickslip_engine::model::Model;
 use stickslip_engine::results::{EdgeGeometry, EdgeResults};
-use stickslip_engine::run::{Operator, RunError, Solved, comparable};
+use stickslip_engine::run::{Operator, OwnNodes, RunError, Solved, comparable};
 
 use super::limits::Missing;
 use super::motions::Motions;
@@ -14,6 +14,8 @@ use super::{peaks, thinning};
 
 /// Part of the normal forces that is most of them.
 const MOST: f64 = 0.5;
+/// Overlap as a part of the size of bodies that is rounding.
+const ROUNDING: f64 = 1e-9;
 /// Part of the normal forces below which points do not matter.
 const PART: f64 = 0.01;
 
@@ -43,7 +45,9 @@ impl Level {
         let elastic = self.solved.operators.iter().filter_map(Operator::elastic);
         let entries: usize = elastic.map(|own| own.structure().factor_entries()).sum();
         let rows = 2.0 * self.solved.interface.contacts().points().len() as f64;
-        BYTES_PER_ENTRY * entries as f64 + BYTES_PER_PAIR * rows * rows
+        let own = self.solved.own.as_ref();
+        let matrices = own.map_or(0, OwnNodes::matrices) as f64;
+        BYTES_PER_ENTRY * entries as f64 + (BYTES_PER_PAIR + 8.0 * matrices) * rows * rows
     }
 
     /// What a virgin point in the middle of a contact edge holds under `pressure`, as a part of it.
@@ -66,8 +70,13 @@ impl Level {
     pub(super) fn closes_again(&self, step: usize) -> bool {
         let records = &self.solved.records;
         let Some(before) = step.checked_sub(1).map(|before| &records[before].state) else {
-            let mut contacts = self.model.contacts.iter();
-            return contacts.any(|contact| contact.interference);
+            let points = self.solved.interface.contacts().points();
+            let far = |[x, y]: [f64; 2]| x.hypot(y);
+            let size = points
+                .iter()
+                .map(|point| far(point.place.position))
+                .fold(0.0, f64::max);
+            return points.iter().any(|point| point.gap < -ROUNDING * size);
         };
         let state = &records[step].state;
         let points = 0..state.status.len();

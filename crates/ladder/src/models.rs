@@ -22,8 +22,6 @@ use stickslip_engine::run::{Assembled, Progress, RunError, Seated, follow, follo
 const INTERVALS: usize = 30;
 /// The finest nodes far from where contact changes are 2⁴ times closer than the coarsest.
 const GRADINGS: usize = 4;
-/// The same with deformed gaps. Where nodes are much closer than contact points travel along each other, the geometry does not settle.
-const DEFORMED_GRADINGS: usize = 4;
 /// The finest cells are 2⁴ times smaller than the coarsest.
 const HALVINGS: usize = 4;
 
@@ -62,12 +60,21 @@ struct Made {
     rung: usize,
     graded: Option<Graded>,
     kinematics: KinematicsChoice,
-    seats: Vec<Option<Seat>>,
+    seating: Seating,
     model: Model,
     assembled: Assembled,
     /// The bodies of load steps in which they sit otherwise than in the model.
     seated: Vec<Option<Arc<Seated>>>,
     seconds: f64,
+}
+
+/// How bodies sit in their holes.
+#[derive(Clone, Default, PartialEq)]
+pub(super) struct Seating {
+    /// In the model.
+    seats: Vec<Option<Seat>>,
+    /// In every load step, of bodies by series.
+    steps: Vec<Vec<Option<Seat>>>,
 }
 
 /// Makes the models.
@@ -80,9 +87,7 @@ pub(super) struct Models<'a> {
     /// How the contact nodes of rungs by series are graded, by rung.
     graded: BTreeMap<usize, Graded>,
     /// How bodies sit in their holes in the models that follow.
-    seats: Vec<Option<Seat>>,
-    /// The same in every load step, of bodies by series.
-    step_seats: Vec<Vec<Option<Seat>>>,
+    seating: Seating,
     /// What was made last.
     made: Option<Made>,
     /// On which geometry contact is found.
@@ -117,8 +122,7 @@ impl<'a> Models<'a> {
             division,
             of_lines,
             graded: BTreeMap::new(),
-            seats: Vec::new(),
-            step_seats: Vec::new(),
+            seating: Seating::default(),
             made: None,
             kinematics,
             until: None,
@@ -142,9 +146,6 @@ impl<'a> Models<'a> {
     /// Whether no finer rung than `rung` is tried.
     pub(super) fn is_finest(&self, rung: usize) -> bool {
         match self.division {
-            Division::Series if self.kinematics == KinematicsChoice::DeformedGaps => {
-                rung >= DEFORMED_GRADINGS
-            }
             Division::Series => rung >= GRADINGS,
             Division::Elements => rung >= HALVINGS,
             Division::Pinned => true,
@@ -178,17 +179,28 @@ impl<'a> Models<'a> {
         }
     }
 
+    /// How bodies sit in the models that follow.
+    pub(super) fn seating(&self) -> Seating {
+        self.seating.clone()
+    }
+
+    /// Lets bodies sit in the models that follow as `seating` says.
+    pub(super) fn sit_as(&mut self, seating: Seating) {
+        self.seating = seating;
+    }
+
     /// Grades the nodes of `rung` towards the places where contact changes in `level`, a coarser model, if they are those of series.
     pub(super) fn grade(&mut self, level: &Level, rung: usize) {
         if self.is_graded() {
-            self.seats = seats::seats(&level.model, &level.solved);
+            let mut seats = seats::seats(&level.model, &level.solved);
             // Elements keep their operator from one geometry to the other.
-            for (seat, pair) in self.seats.iter_mut().zip(&level.model.pairs) {
+            for (seat, pair) in seats.iter_mut().zip(&level.model.pairs) {
                 if level.model.bodies[pair.second].series.is_none() {
                     *seat = None;
                 }
             }
-            self.step_seats = seats::of_steps(&level.model, &level.solved, &self.seats);
+            let steps = seats::of_steps(&level.model, &level.solved, &seats);
+            self.seating = Seating { seats, steps };
             let mut edges = level.numbers.geometries.iter();
             let Some(domain) = edges.find(|edge| edge.contact).map(Domain::of) else {
                 return;
@@ -219,8 +231,9 @@ impl<'a> Models<'a> {
         }
         let wanted = seats::wanted(&level.model, &level.solved);
         let is_wanted = wanted.iter().any(Option::is_some);
-        self.seats.resize(wanted.len(), None);
-        for (own, wanted) in self.seats.iter_mut().zip(wanted) {
+        let seats = &mut self.seating.seats;
+        seats.resize(wanted.len(), None);
+        for (own, wanted) in seats.iter_mut().zip(wanted) {
             if wanted.is_some() {
                 *own = wanted;
             }
@@ -286,33 +299,39 @@ impl<'a> Models<'a> {
         let start = self.scene.host().seconds();
         let graded = self.graded.get(&rung).filter(|_| self.is_graded()).cloned();
         let kinematics = self.kinematics;
-        let seats = self.seats.clone();
+        let seating = self.seating.clone();
+        // Load steps have nodes of their own where these are graded.
+        let seated = |model: &Model, assembled: &Assembled| match graded {
+            Some(_) => {
+                let steps = (&*seating.steps, &*seating.seats);
+                Seated::of_steps(scene, model, assembled, steps)
+            }
+            None => Ok(Vec::new()),
+        };
         let last = self.made.take();
         let made = match last.filter(|made| made.rung == rung && made.graded == graded) {
-            Some(made) if made.kinematics == kinematics && made.seats == seats => made,
-            Some(made) if self.is_graded() || made.seats == seats => {
-                let model = Model::build_on(scene, Some(&made.model), &self.seats)?;
+            Some(made) if made.kinematics == kinematics && made.seating == seating => made,
+            Some(made) if self.is_graded() || made.seating == seating => {
+                let model = Model::build_on(scene, Some(&made.model), &seating.seats)?;
                 let assembled = made.assembled.with_series_of(&model)?;
-                let steps = (&*self.step_seats, &*seats);
                 Made {
-                    seated: Seated::of_steps(scene, &model, &assembled, steps)?,
                     kinematics,
-                    seats,
+                    seated: seated(&model, &assembled)?,
+                    seating,
                     model,
                     assembled,
                     ..made
                 }
             }
             _ => {
-                let model = Model::build_on(scene, None, &self.seats)?;
+                let model = Model::build_on(scene, None, &seating.seats)?;
                 let assembled = Assembled::of(&model, progress)?;
-                let steps = (&*self.step_seats, &*seats);
                 Made {
                     rung,
-                    graded,
                     kinematics,
-                    seated: Seated::of_steps(scene, &model, &assembled, steps)?,
-                    seats,
+                    seated: seated(&model, &assembled)?,
+                    graded,
+                    seating,
                     model,
                     assembled,
                     seconds: self.scene.host().seconds() - start,

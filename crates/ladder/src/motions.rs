@@ -53,6 +53,14 @@ impl Motions {
         })
     }
 
+    /// The larger ones of these errors and `other` ones.
+    pub(super) fn or_larger(&self, other: &Self) -> Self {
+        self.map(|step, set, stated| {
+            let other = other.get(step, set, stated).unwrap_or(0.0);
+            Some(self.get(step, set, stated)?.max(other))
+        })
+    }
+
     /// Number of sets.
     pub(super) fn count(&self) -> usize {
         self.0.first().map_or(0, Vec::len)

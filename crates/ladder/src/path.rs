@@ -14,7 +14,7 @@
 use super::along::Along;
 use super::motions::{self, Halving, Motions};
 use super::numbers::{Estimates, Numbers, Table, difference, sum, zipped};
-use super::rates::{error, of_four};
+use super::rates::{error, of_four, of_two};
 use stickslip_engine::results::{EdgeResults, Errors, Stated};
 
 /// Given increments are compared with so many times as many: two times as many may change nothing where contact grows in proportion to the load.
@@ -223,12 +223,15 @@ impl Left {
     /// At least what twice as many increments of the model itself change, those of `finer`: peaks and ends of stick that a coarse model does not have do not change in it either.
     pub(super) fn at_least(self, finer: &Numbers, base: &Numbers) -> Self {
         let change = difference(finer, base);
-        let mut own = zipped(&change, &Table::new(), error);
+        let mut own = zipped(&change, &Table::new(), |change, _| Some(of_two() * change?));
         keep_forces(&mut own);
         adjust(&mut own, &base.steps);
+        let along = Along::between(base, finer).times(of_two());
+        let sets = Motions::between(&finer.sets, &base.sets).times(of_two());
         Self {
             numbers: zipped(&self.numbers, &own, larger),
-            ..self
+            along: along.or_larger(&self.along),
+            sets: self.sets.or_larger(&sets),
         }
     }
 }

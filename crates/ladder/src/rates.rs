@@ -9,6 +9,11 @@ pub(super) fn of_four() -> f64 {
     1.0 / (1.0 - rate * rate)
 }
 
+/// The same of what twice as many change.
+pub(super) fn of_two() -> f64 {
+    1.0 + SLOWEST
+}
+
 /// The sum of the geometric series that goes on at the rate of the last two changes, between that of first order and that of [`SLOWEST`].
 pub(super) fn error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
     let change = change?;

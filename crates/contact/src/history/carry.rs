@@ -167,7 +167,7 @@ impl Carry<'_> {
     }
 
     /// The displacements `moved` of all points of each body, as its nodes stand in `before`, where they stand here.
-    pub(super) fn seated(&self, before: &Whole<'_>, moved: &mut [DVector<f64>]) {
+    pub(super) fn move_to_nodes(&self, before: &Whole<'_>, moved: &mut [DVector<f64>]) {
         let pairs = self.whole.interface.contacts().pairs();
         let facings = before.facings.iter().zip(&self.whole.facings);
         for (pair, (from, to)) in pairs.iter().zip(facings) {

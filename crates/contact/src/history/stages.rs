@@ -42,7 +42,7 @@ impl<'a> Stages<'a> {
     ) -> Result<Self, ContactError> {
         for count in [wholes.len(), thinned.len()] {
             if count != steps {
-                let what = format!("{count} choices of nodes for {steps} steps");
+                let what = format!("{count} sets of bodies or of chosen nodes for {steps} steps");
                 return Err(ContactError::InvalidLoad {
                     step: steps.min(count),
                     what,
@@ -97,7 +97,7 @@ impl<'a> Stages<'a> {
                 });
                 let merged = before.thinned.interface().merged(last.to_vec());
                 let (record, mut moved) = before.expand(&merged);
-                own.seated(before.whole, &mut moved);
+                own.move_to_nodes(before.whole, &mut moved);
                 own.start(&record, &moved)
             }
         }

@@ -19,6 +19,8 @@ use stickslip_friction::{History, PointStatus};
 
 /// Relative size of a remainder that counts.
 const NEGLIGIBLE: f64 = 1e-9;
+/// Relative size of what counts as zero of a motion along an edge of a cone.
+const SLIDING: f64 = 1e-6;
 /// Clearances to the place along a load from which that of its least potential is sought.
 const FAR: f64 = 1e4;
 /// Largest way to where a load comes to rest, in clearances.
@@ -85,7 +87,7 @@ fn units(step: &Step<'_>) -> DVector<f64> {
     })
 }
 
-/// A rigid motion along which the load of `step` does work against no friction cone, and whether that is a proof that the load
+/// How bodies begin to move under the load of `step` where there is a rigid motion along which it does work against no friction cone, and whether that is a proof that the load
 /// cannot be balanced; `None` where there is no such motion.
 pub(super) fn impossible(step: &Step<'_>) -> Option<(DVector<f64>, bool)> {
     if step.mode_load.amax() == 0.0 {
@@ -99,7 +101,54 @@ pub(super) fn impossible(step: &Step<'_>) -> Option<(DVector<f64>, bool)> {
     let load = step.mode_load.component_mul(&units);
     let remainder = nearest(&edges, &load);
     let proved = (0..step.count()).all(|k| step.problem.law(k).is_linear());
-    proves(&edges, &load, &remainder).then(|| (remainder.component_mul(&units), proved))
+    proves(&edges, &load, &remainder).then(|| {
+        let motion = without_lift(step, &edges, &units, remainder);
+        (motion.component_mul(&units), proved)
+    })
+}
+
+/// The motion `remainder` without what lifts points from each other that slide: on the edge of a friction cone a proof parts them by μ of their slip, and bodies do not. As it is where the load
+/// does no work on the rest; both scaled by `units`.
+fn without_lift(
+    step: &Step<'_>,
+    edges: &DMatrix<f64>,
+    units: &DVector<f64>,
+    remainder: DVector<f64>,
+) -> DVector<f64> {
+    let modes = step.problem.modes();
+    let size = remainder.norm();
+    let is_at_edge = |k: usize| {
+        let mut own = [2 * k, 2 * k + 1]
+            .into_iter()
+            .map(|column| edges.column(column));
+        own.any(|edge| remainder.dot(&edge).abs() <= SLIDING * size * edge.norm())
+    };
+    let sliding: Vec<usize> = (0..step.count()).filter(|&k| is_at_edge(k)).collect();
+    if sliding.is_empty() {
+        return remainder;
+    }
+    let normals = DMatrix::from_fn(sliding.len(), remainder.len(), |row, mode| {
+        modes[(2 * sliding[row], mode)] * units[mode]
+    });
+    let decomposed = normals.svd(false, true);
+    let Some(directions) = decomposed.v_t else {
+        return remainder;
+    };
+    let largest = decomposed.singular_values.max();
+    let mut rest = remainder.clone();
+    for (direction, &value) in directions.row_iter().zip(&decomposed.singular_values) {
+        if value > SLIDING * largest {
+            let along = direction.transpose();
+            rest -= &along * along.dot(&remainder);
+        }
+    }
+    let load = step.mode_load.component_mul(units);
+    let does_work = rest.dot(&load) > SLIDING * rest.norm() * load.norm();
+    if does_work && rest.norm() > SLIDING * size {
+        rest
+    } else {
+        remainder
+    }
 }
 
 /// Whether contact forces in the friction cones of `points` balance the load of `step`.

@@ -16,8 +16,9 @@ use crate::results::{
 
 /// Part of the largest pressure by which more increments may change tractions without a finding.
 const COARSE: f64 = 0.01;
-/// Part of the work of friction in a step by which more increments may change it without a finding, and of the largest work of the history below which a step's does not matter.
+/// Part of the work of friction in a step by which more increments may change it without a finding.
 const COARSE_WORK: f64 = 0.05;
+/// Part of the largest work of friction in a step of the history below which that of another does not matter.
 const LITTLE_WORK: f64 = 0.01;
 /// Relative imbalance that ordinary rounding does not reach.
 const BALANCED: f64 = 1e-8;
@@ -130,27 +131,17 @@ fn cut_back(steps: &[StepResults]) -> Option<Finding> {
 /// Where more increments change tractions by more than a part of the largest pressure, or the work of friction by more than a larger part of it.
 fn coarse_path(steps: &[StepResults]) -> Option<Finding> {
     let finer = |step: &StepResults| step.notes.otherwise.path;
-    let work =
-        |step: &StepResults| -> f64 { step.edges.iter().map(|edge| edge.friction_work).sum() };
-    let little = LITTLE_WORK * steps.iter().map(work).fold(0.0, f64::max);
-    let part_of_work = |step: &StepResults, finer: Difference| {
-        let matters = work(step) > little;
-        if matters {
-            finer.dissipation.abs()
-        } else {
-            0.0
-        }
-    };
+    let all = steps.iter().filter_map(finer);
+    let little = LITTLE_WORK * all.map(|finer| finer.work).fold(0.0, f64::max);
+    let that_works = |step: &StepResults| finer(step).filter(|finer| finer.work > little);
     let which = steps_where(steps, |step| {
-        finer(step)
-            .is_some_and(|finer| finer.traction > COARSE || part_of_work(step, finer) > COARSE_WORK)
+        let traction = finer(step).map_or(0.0, |finer| finer.traction);
+        let work = that_works(step).map_or(0.0, |finer| finer.dissipation.abs());
+        traction > COARSE || work > COARSE_WORK
     })?;
     let (step, most) = match largest(steps, finer)? {
         by_traction @ (_, most) if most.traction > COARSE => by_traction,
-        _ => {
-            let that_matters = |step: &StepResults| finer(step).filter(|_| work(step) > little);
-            largest_by(steps, that_matters, |finer| finer.dissipation.abs())?
-        }
+        _ => largest_by(steps, that_works, |finer| finer.dissipation.abs())?,
     };
     Some(Finding::CoarseLoadPath(CoarseLoadPath {
         steps: which,

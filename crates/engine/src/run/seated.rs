@@ -19,6 +19,8 @@ use crate::results::EdgeGeometry;
 
 /// Bodies that sit in two load steps alike but for so much of the smallest distance of nodes have one operator in both.
 const ALIKE: f64 = 0.1;
+/// Most ways in which bodies sit in a history; of longer ones load steps are alike that sit farther from each other.
+const MOST: usize = 32;
 
 /// How the second body of every contact sits, where that is known.
 type Seats = [Option<Seat>];
@@ -47,23 +49,17 @@ impl Seated {
             return Ok(Vec::new());
         }
         let near = |pair| {
-            model
-                .edge_of(pair)
-                .map_or(0.0, |edge| ALIKE * smallest(&edge.geometry))
+            let edge = model.edge_of(pair);
+            edge.map_or(f64::INFINITY, |edge| ALIKE * smallest(&edge.geometry))
         };
-        let near: Vec<f64> = (0..seats.len()).map(near).collect();
-        // Seats that differ, those of the model first.
-        let mut unlike = vec![seats];
-        let which = steps.iter().map(|step| {
-            let known = unlike
-                .iter()
-                .position(|seats| are_alike(seats, step, &near));
-            known.unwrap_or_else(|| {
-                unlike.push(step);
-                unlike.len() - 1
-            })
-        });
-        let which: Vec<usize> = which.collect();
+        let mut near: Vec<f64> = (0..seats.len()).map(near).collect();
+        let (unlike, which) = loop {
+            let (unlike, which) = grouped(seats, steps, &near);
+            if unlike.len() <= MOST {
+                break (unlike, which);
+            }
+            near.iter_mut().for_each(|near| *near *= 2.0);
+        };
         let made = parallel::map(&unlike[1..], |seats| -> Result<_, RunError> {
             let own = Model::build_on(scene, Some(model), seats)?;
             let operators = assembled.operators.iter().zip(&own.bodies);
@@ -96,6 +92,24 @@ impl Seated {
             }
         }
     }
+}
+
+/// The seats that differ among `seats`, which come first, and `steps`, by more than the angles `near` of each pair; and the index among them of those of every step.
+fn grouped<'a>(
+    seats: &'a Seats,
+    steps: &'a [Vec<Option<Seat>>],
+    near: &[f64],
+) -> (Vec<&'a Seats>, Vec<usize>) {
+    let mut unlike = vec![seats];
+    let mut which = Vec::with_capacity(steps.len());
+    for step in steps {
+        let known = unlike.iter().position(|seats| are_alike(seats, step, near));
+        which.push(known.unwrap_or(unlike.len()));
+        if known.is_none() {
+            unlike.push(step);
+        }
+    }
+    (unlike, which)
 }
 
 /// Whether bodies sit alike, up to the angles `near` of each pair.

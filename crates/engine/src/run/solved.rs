@@ -75,13 +75,23 @@ pub struct OwnNodes {
     pub seated: Vec<Option<Arc<Seated>>>,
 }
 
+impl OwnNodes {
+    /// Number of compliances `[1]` that steps have of their own.
+    pub fn matrices(&self) -> usize {
+        let mut own: Vec<&Arc<Seated>> = self.seated.iter().flatten().collect();
+        own.sort_by_key(|own| Arc::as_ptr(own));
+        own.dedup_by_key(|own| Arc::as_ptr(own));
+        own.len()
+    }
+}
+
 impl Solved {
     /// How bodies sit in the load step with this index, where that is not as in the model.
     pub(super) fn seated(&self, step: usize) -> Option<&Seated> {
         self.own.as_ref()?.seated.get(step)?.as_deref()
     }
 
-    /// Forces `[N]` on the contact points of body `body` at the end of the load step `record`, interleaved, at the places where they act.
+    /// Forces `[N]` on the contact points of body `body` at the end of the load step `record`, interleaved, on its nodes in the model.
     pub fn forces_on_body(&self, record: &StepRecord, body: usize) -> Vec<f64> {
         if let Some(on_bodies) = &record.on_bodies {
             return on_bodies[body].clone();

@@ -74,7 +74,7 @@ fn faces(operators: &[Operator]) -> Vec<&dyn InterfaceOperator> {
 }
 
 /// What `with` makes of the bodies and contacts of every load step with all their nodes, those of `faces` and `kinematics` but where `seated` has others; `None` where contact points are not
-/// nodes.
+/// nodes, or springs link bodies.
 ///
 /// # Errors
 /// [`RunError::Contact`].

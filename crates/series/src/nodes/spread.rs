@@ -7,7 +7,7 @@ use crate::gauss::rule;
 
 impl Nodes {
     /// The forces on these nodes of the tractions that `forces`, x and y of each node in turn, are on `other` nodes of the same circle, in the unit of these: f_i = Σ_k f_k ∫ N_i N_k dθ / w_k.
-    /// Their sum is kept where both reach over the same arc; on the axis of a half model no node has a force along y.
+    /// Their sum and, all around a circle, their moment are kept where both reach over the same arc; on the axis of a half model no node has a force along y.
     ///
     /// # Panics
     /// If `forces` are not those of as many nodes as `other` has.
@@ -35,7 +35,31 @@ impl Nodes {
         for node in (0..self.len()).filter(|&node| self.on_axis(node)) {
             spread[2 * node + 1] = 0.0;
         }
+        if self.is_closed() {
+            let lost = other.moment(forces) - self.moment(&spread);
+            self.turn_by(&mut spread, lost);
+        }
         spread
+    }
+
+    /// The moment of `forces` about the centre, in their unit times the radius.
+    fn moment(&self, forces: &[f64]) -> f64 {
+        let arms = self.places().into_iter().zip(forces.chunks_exact(2));
+        arms.map(|([x, y], force)| x * force[1] - y * force[0])
+            .sum()
+    }
+
+    /// Adds the moment `moment` to `forces` by an even traction along the circle, which has no resultant: the mean places differ by the square of the spacing from the circle.
+    fn turn_by(&self, forces: &mut [f64], moment: f64) {
+        let places = self.places();
+        let weights = self.weights();
+        let whole: f64 = (places.iter().zip(&weights))
+            .map(|([x, y], weight)| weight * (x * x + y * y))
+            .sum();
+        for ((force, [x, y]), weight) in forces.chunks_exact_mut(2).zip(&places).zip(&weights) {
+            force[0] -= weight * y * moment / whole;
+            force[1] += weight * x * moment / whole;
+        }
     }
 
     /// Ascending angles between which the hats of both are linear, from the first own one on.
@@ -122,6 +146,11 @@ mod tests {
         for i in 0..2 {
             assert!((sum(&spread, i) - sum(&rough, i)).abs() < 1e-12 * sum(&rough, i));
         }
+        let [found, given] = [own.moment(&spread), other.moment(&rough)];
+        assert!(
+            (found - given).abs() < 1e-12 * sum(&rough, 0),
+            "{found} {given}"
+        );
     }
 
     /// The error of a smooth traction falls with the square of the spacing.

@@ -196,3 +196,65 @@ fn every_solver_refuses_a_load_without_balance_before_it_searches() {
         assert_eq!(cause.attempts.len(), 1, "{solver}: {cause}");
     }
 }
+
+/// A block on a slope of 30° that is too steep for it.
+const SLOPE: &str = r#"
+version = 1
+[materials.metal.isotropic]
+young = "72 GPa"
+poisson = 0.33
+[bodies.wedge]
+material = "metal"
+thickness = "4 mm"
+shape.outline = { start = ["-30 mm", "-40 mm"], edges = [{ name = "base", to = ["30 mm", "-40 mm"] }, { name = "side", to = ["30 mm", "17.320508075688775 mm"] }, { name = "slope", to = ["-30 mm", "-17.320508075688775 mm"] }, { name = "back" }] }
+[bodies.block]
+material = "metal"
+thickness = "4 mm"
+shape.outline = { start = ["-8.660254037844387 mm", "-5 mm"], edges = [{ name = "base", to = ["8.660254037844387 mm", "5 mm"] }, { name = "lower", to = ["3.660254037844387 mm", "13.660254037844387 mm"] }, { name = "top", to = ["-13.660254037844387 mm", "3.660254037844387 mm"] }, { name = "upper" }] }
+[mesh]
+spacing = "2 mm"
+[[contacts]]
+first = "block.base"
+second = "wedge.slope"
+friction.coulomb.mu = 0.5
+[[supports]]
+on = "wedge.base"
+fix = ["x", "y"]
+[[loads]]
+on = "block.section"
+force = { direction = [0, -1], steps = ["1 kN"] }
+[output]
+fields = "none"
+figures = false
+"#;
+
+/// A proof lifts the block by the friction of its slip; the block slides along the slope.
+#[test]
+fn a_block_on_a_steep_slope_slides_along_it() {
+    let failure = run(&scene(SLOPE, &[]), &mut |_| {}).unwrap_err();
+    let RunError::Unbalanced { moving, .. } = failure else {
+        panic!("{failure}");
+    };
+    let [
+        MovingBody {
+            body,
+            motion: WholeMotion::Slides([x, y]),
+        },
+    ] = &moving[..]
+    else {
+        panic!("{moving:?}");
+    };
+    assert_eq!(body, "block");
+    let down = [-0.75_f64.sqrt(), -0.5];
+    assert!(
+        (x - down[0]).abs() < 1e-6 && (y - down[1]).abs() < 1e-6,
+        "({x}, {y})"
+    );
+    assert!(
+        run(
+            &scene(SLOPE, &["contacts.0.friction.coulomb.mu=0.6"]),
+            &mut |_| {}
+        )
+        .is_ok()
+    );
+}

@@ -255,6 +255,7 @@ fn notes() -> StepNotes {
                 traction: 0.02,
                 slip: 0.01,
                 dissipation: -0.03,
+                work: 0.5,
             }),
             finer: None,
             path: None,

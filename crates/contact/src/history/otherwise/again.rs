@@ -203,6 +203,7 @@ impl<'a> Again<'a> {
             traction: over(traction, peak),
             slip: over(slipped, slip.amax().max(other_slip.amax())),
             dissipation: over(worked, work.max(other_work)),
+            work: work.max(other_work),
         }
     }
 }

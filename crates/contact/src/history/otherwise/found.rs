@@ -15,6 +15,8 @@ pub struct Difference {
     pub slip: f64,
     /// Change of the work of friction in the step `[1]`, relative to the larger one; 0 if it is rounding.
     pub dissipation: f64,
+    /// The larger work of friction in the step `[force·length]`.
+    pub work: f64,
 }
 
 impl Difference {
@@ -31,9 +33,11 @@ impl Difference {
         self.slip.max(self.dissipation.abs()) > Self::DISTINCT
     }
 
-    /// The largest of each number; the other way is that whose tractions differ more.
+    /// The largest of each number, and the change of the whole work, of two parts of an interface; the other way is that whose tractions differ more.
     pub(super) fn or_worse(self, other: Self) -> Self {
         let larger = |one: f64, other: f64| if other.abs() > one.abs() { other } else { one };
+        let work = self.work + other.work;
+        let changed = self.dissipation * self.work + other.dissipation * other.work;
         let way = if other.traction > self.traction {
             other
         } else {
@@ -43,7 +47,8 @@ impl Difference {
             peak_pressure: larger(self.peak_pressure, other.peak_pressure),
             traction: larger(self.traction, other.traction),
             slip: larger(self.slip, other.slip),
-            dissipation: larger(self.dissipation, other.dissipation),
+            dissipation: if work > 0.0 { changed / work } else { 0.0 },
+            work,
             ..way
         }
     }
