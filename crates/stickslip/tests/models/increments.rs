@@ -148,7 +148,7 @@ fn a_whole_pin_balances_on_nodes_of_each_step() {
         DEFORMED,
         "analysis.model=whole",
         "contacts.0.friction.coulomb.mu=0.3",
-        "edges=[\"pin.rim\"]",
+        "edges=[{ on = \"pin.rim\" }]",
         r#"analysis.accuracy="2 %""#,
     ];
     let (found, half) = (
