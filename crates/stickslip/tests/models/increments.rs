@@ -78,7 +78,7 @@ fn errors_hold_what_given_increments_leave() {
             r#"analysis.accuracy="0.5 %""#,
         ],
     );
-    for substeps in [2, 4, 8, 16] {
+    for substeps in [4, 16] {
         let substeps = format!("analysis.substeps={substeps}");
         let found = solved(PIN, &[SMALL, &substeps, r#"analysis.accuracy="2 %""#]);
         for stated in [
@@ -128,36 +128,34 @@ fn increments_that_change_the_work_of_friction_are_found() {
 /// A mortar projection has no cusp to fit, so contact ends somewhere between two nodes.
 #[test]
 fn ends_of_contact_between_nodes_have_errors_of_their_distance() {
+    let steps = r#"loads.0.force.steps=["1 kN", "4 kN"]"#;
     let mortar = [
         SMALL,
+        steps,
+        "mesh.spacing=3 deg",
         r#"contacts.0.projection="mortar""#,
         r#"analysis.accuracy="2 %""#,
     ];
     let found = solved(PIN, &mortar);
-    let truth = solved(PIN, &[SMALL, r#"analysis.accuracy="0.5 %""#]);
-    for step in 0..3 {
+    let truth = solved(PIN, &[SMALL, steps, r#"analysis.accuracy="0.5 %""#]);
+    for step in 0..2 {
         let off = off(&found, &truth, step, Stated::ContactExtent);
         assert!(off < 1.0, "step {}: {off}", step + 1);
     }
 }
 
-/// A whole model, whose pin is free to turn, with stresses along its rim: moments are kept where forces go over to the nodes of the model.
+/// A whole model, whose pin is free to turn: moments are kept where forces go over to the nodes of the model.
 #[test]
 fn a_whole_pin_balances_on_nodes_of_each_step() {
     let changes = [
         DEFORMED,
-        "analysis.model=whole",
         "contacts.0.friction.coulomb.mu=0.3",
-        "edges=[{ on = \"pin.rim\" }]",
-        r#"analysis.accuracy="2 %""#,
+        r#"analysis.accuracy="5 %""#,
     ];
-    let (found, half) = (
-        solved(PIN, &changes),
-        solved(
-            PIN,
-            &[&changes[..1], &["analysis.model=half"], &changes[2..]].concat(),
-        ),
-    );
+    let [found, half] = ["whole", "half"].map(|model| {
+        let model = format!("analysis.model={model}");
+        solved(PIN, &[&changes[..], &[&*model]].concat())
+    });
     for step in 0..4 {
         assert!(found.steps[step].balance_residual < 1e-9);
         for stated in [
