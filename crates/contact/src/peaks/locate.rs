@@ -45,9 +45,15 @@ pub fn locate_end(held: &[[f64; 2]], free: &[[f64; 2]]) -> Option<Located> {
     let (place, error) = by_gaps
         .or_else(by_pressures)
         .unwrap_or((last + 0.5 * spacing, ERRORS[3]));
-    let part = ((place - last) / spacing).clamp(0.0, 1.0);
+    let part = (place - last) / spacing;
+    // A fit that contradicts what touches knows no better than that.
+    let error = if (0.0..=1.0).contains(&part) {
+        error
+    } else {
+        error.max(ERRORS[3])
+    };
     Some(Located {
-        place: last + part * spacing,
+        place: last + part.clamp(0.0, 1.0) * spacing,
         error: error * spacing.abs(),
     })
 }

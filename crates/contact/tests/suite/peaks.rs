@@ -376,5 +376,12 @@ fn ends_are_located_between_nodes() {
             assert!(end.error < 0.31 * spacing);
         }
     }
+    // Gaps that put the end beyond the last touching node, as one that closes by rounding does.
+    let gap = |place: f64| [place, (place + 0.2).powf(1.5)];
+    let free = [1.0, 2.0, 3.0].map(gap);
+    let [inside, outside] = [[[0.0, 1.0], [-1.0, 2.0]], [[0.5, 1.0], [-0.5, 2.0]]]
+        .map(|held| locate_end(&held, &free).unwrap());
+    assert_eq!((inside.place, outside.place), (0.0, 0.5));
+    assert!(inside.error >= 0.3 && outside.error >= 0.15);
     assert!(locate_end(&[], &[[1.0, 0.0]]).is_none());
 }

@@ -58,7 +58,9 @@ impl Seated {
             if unlike.len() <= MOST {
                 break (unlike, which);
             }
-            near.iter_mut().for_each(|near| *near *= 2.0);
+            for near in &mut near {
+                *near *= 2.0;
+            }
         };
         let made = parallel::map(&unlike[1..], |seats| -> Result<_, RunError> {
             let own = Model::build_on(scene, Some(model), seats)?;

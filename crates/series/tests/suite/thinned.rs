@@ -149,7 +149,7 @@ impl Pin {
         let all: Vec<usize> = (0..self.edges[0].parameter.len()).collect();
         let thinned = wholes
             .iter()
-            .map(|whole| Thinned::new(whole, &[all.clone()]).unwrap());
+            .map(|whole| Thinned::new(whole, std::slice::from_ref(&all)).unwrap());
         let thinned: Vec<Thinned> = thinned.collect();
         let thin = history().follow_thinned(&wholes, &thinned, &Chain::default(), || {});
         thin.unwrap().all
@@ -281,7 +281,7 @@ fn states_go_over_to_a_pin_with_other_nodes() {
         let known = pin.followed(true);
         // By up to a fifth of the distance of nodes to and fro.
         let facing = |step: usize, angle: f64| {
-            let sign = if step % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if step.is_multiple_of(2) { 1.0 } else { -1.0 };
             angle + sign * 3e-3 * angle.sin()
         };
         let found = pin.seated(half, facing);
