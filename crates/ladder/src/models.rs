@@ -304,7 +304,9 @@ impl<'a> Models<'a> {
         let seated = |model: &Model, assembled: &Assembled| match graded {
             Some(_) => {
                 let steps = (&*seating.steps, &*seating.seats);
-                Seated::of_steps(scene, model, assembled, steps)
+                Seated::of_steps(model, assembled, steps, |seats| {
+                    Model::build_on(scene, Some(model), seats)
+                })
             }
             None => Ok(Vec::new()),
         };

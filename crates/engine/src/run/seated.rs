@@ -6,15 +6,14 @@
 
 use std::sync::Arc;
 
-use stickslip_contact::{Facing, StepRecord};
+use stickslip_contact::StepRecord;
 use stickslip_fem_core::parallel;
-use stickslip_scene::Scene;
 use stickslip_scene::schema::KinematicsChoice;
 
 use super::assembled::Assembled;
 use super::error::RunError;
-use super::solved::Operator;
-use crate::model::{Model, Seat};
+use super::solved::{Operator, Seated};
+use crate::model::{Model, ModelError, Seat};
 use crate::results::EdgeGeometry;
 
 /// Bodies that sit in two load steps alike but for so much of the smallest distance of nodes have one operator in both.
@@ -25,25 +24,17 @@ const MOST: usize = 32;
 /// How the second body of every contact sits, where that is known.
 type Seats = [Option<Seat>];
 
-/// The bodies and undeformed edges of a load step in which bodies by series sit in their holes otherwise than in the model.
-#[derive(Clone, Debug)]
-pub struct Seated {
-    /// One operator per body.
-    pub(super) operators: Vec<Operator>,
-    /// One per contact pair.
-    pub(super) facings: Vec<Facing>,
-}
-
 impl Seated {
-    /// Those of the load steps of `scene` with the seats `steps`; `None` of a step that sits as `model` does, whose seats are `seats`. Where gaps do not follow the displacement there are none.
+    /// Those of load steps with the seats `steps`; `None` of a step that sits as `model` does, whose seats are `seats`. Where gaps do not follow the displacement there are none. `build` makes the
+    /// model with other seats.
     ///
     /// # Errors
     /// [`RunError::Model`].
     pub fn of_steps(
-        scene: &Scene,
         model: &Model,
         assembled: &Assembled,
         (steps, seats): (&[Vec<Option<Seat>>], &Seats),
+        build: impl Fn(&Seats) -> Result<Model, ModelError> + Sync + Send,
     ) -> Result<Vec<Option<Arc<Self>>>, RunError> {
         if model.request.analysis.kinematics != Some(KinematicsChoice::DeformedGaps) {
             return Ok(Vec::new());
@@ -63,7 +54,7 @@ impl Seated {
             }
         };
         let made = parallel::map(&unlike[1..], |seats| -> Result<_, RunError> {
-            let own = Model::build_on(scene, Some(model), seats)?;
+            let own = build(seats)?;
             let operators = assembled.operators.iter().zip(&own.bodies);
             let operators = operators.map(|(operator, body)| match &body.series {
                 Some(series) => Operator::Series(Arc::clone(series)),

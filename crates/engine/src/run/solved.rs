@@ -3,10 +3,9 @@
 use std::sync::Arc;
 
 use stickslip_contact::thinned::Thinned;
-use stickslip_contact::{Interface, StepRecord};
+use stickslip_contact::{Facing, Interface, StepRecord};
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 
-use super::seated::Seated;
 use crate::series::SeriesBody;
 
 /// A body as the interface problem sees it.
@@ -73,6 +72,15 @@ pub struct OwnNodes {
     pub records: Vec<StepRecord>,
     /// How bodies sit in their holes in every step, where that is not as in the model.
     pub seated: Vec<Option<Arc<Seated>>>,
+}
+
+/// The bodies and undeformed edges of a load step in which bodies by series sit in their holes otherwise than in the model.
+#[derive(Clone, Debug)]
+pub struct Seated {
+    /// One operator per body.
+    pub(super) operators: Vec<Operator>,
+    /// One per contact pair.
+    pub(super) facings: Vec<Facing>,
 }
 
 impl OwnNodes {

@@ -9,8 +9,7 @@ use stickslip_fem_core::{InterfaceOperator, parallel};
 use super::assembled::Assembled;
 use super::error::RunError;
 use super::follow::{Progress, explained, follow, timed};
-use super::seated::Seated;
-use super::solved::{Operator, OwnNodes, Solved};
+use super::solved::{Operator, OwnNodes, Seated, Solved};
 use crate::model::Model;
 
 /// Follows the history of `model` with `solver` on the nodes `chosen` in each load step, the same on every contact edge; on all nodes where contact points are not
