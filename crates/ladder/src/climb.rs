@@ -99,23 +99,10 @@ pub(crate) fn climb(
             } else {
                 LadderEnd::Finest
             });
-            let (errors, end) = match climb.in_more_increments(&levels, progress) {
-                None => (errors, end),
-                Some(Ok(finer)) => {
-                    path = path.at_least(&finer.numbers, &levels[levels.len() - 1].numbers);
-                    let errors = climb.errors(&levels, &path, &model);
-                    let other = climb.end(&levels, &errors, &path);
-                    let is_otherwise =
-                        end == LadderEnd::Reached || other == Some(LadderEnd::LoadPath);
-                    let end = if is_otherwise {
-                        other.unwrap_or(LadderEnd::LoadPath)
-                    } else {
-                        end
-                    };
-                    (errors, end)
-                }
-                // Of the load path too little is known.
-                Some(Err(_)) => (errors, LadderEnd::LoadPath),
+            let ends = climb.checked((&levels, &mut path, &model), (errors, end), progress);
+            // Finer nodes may make up for what increments leave.
+            let Some((errors, end)) = ends else {
+                continue;
             };
             return climb.finish(levels, errors, &path, &model, end);
         };
@@ -329,6 +316,30 @@ impl Climb<'_> {
             }
             left = is_enough.then_some(found.left);
             base = finer;
+        }
+    }
+
+    /// The `errors` and the `end` of a climb after what given increments leave of the last of `levels` is compared on its own nodes; `None` where it goes on.
+    fn checked(
+        &mut self,
+        (levels, path, geometry): (&[Level], &mut Left, &Geometry),
+        (errors, end): (Estimates, LadderEnd),
+        progress: &mut dyn FnMut(Progress),
+    ) -> Option<(Estimates, LadderEnd)> {
+        let (finer, last) = match (self.in_more_increments(levels, progress), levels.last()) {
+            (Some(Ok(finer)), Some(last)) => (finer, last),
+            // Of the load path too little is known.
+            (Some(Err(_)), _) => return Some((errors, LadderEnd::LoadPath)),
+            _ => return Some((errors, end)),
+        };
+        *path = std::mem::take(path).at_least(&finer.numbers, &last.numbers);
+        let errors = self.errors(levels, path, geometry);
+        match (end, self.end(levels, &errors, path)) {
+            (LadderEnd::Reached, None) => None,
+            (LadderEnd::Reached, Some(other)) | (_, Some(other @ LadderEnd::LoadPath)) => {
+                Some((errors, other))
+            }
+            _ => Some((errors, end)),
         }
     }
 
