@@ -390,4 +390,20 @@ mod tests {
         assert_eq!(half.facing(PI).to_bits(), PI.to_bits());
         assert!((half.facing(1.0) - 1.0 - 0.01 * 1.0_f64.sin()).abs() < 1e-5);
     }
+
+    /// The same places are no way apart, whatever the angles at which two seats are known, all around a circle.
+    #[test]
+    fn seats_are_apart_by_what_faces_the_hole() {
+        let seat = |count: i32, from: f64, turn: f64| {
+            let at = |k: i32| from + TAU / f64::from(count) * f64::from(k);
+            let angles: Vec<f64> = (0..count).map(at).collect();
+            Seat::new(&angles, |k| angles[k] + 0.01 * angles[k].sin() + turn, true)
+        };
+        let (fine, coarse) = (seat(360, -PI, 0.0), seat(90, 0.0, 0.0));
+        assert!(fine.apart(&coarse) < 1e-5 && coarse.apart(&fine) < 1e-5);
+        let turned = seat(120, -PI, 3e-3);
+        for apart in [fine.apart(&turned), turned.apart(&coarse)] {
+            assert!((apart - 3e-3).abs() < 1e-5, "{apart}");
+        }
+    }
 }

@@ -119,3 +119,24 @@ fn smallest(geometry: &EdgeGeometry) -> f64 {
     let gaps = geometry.parameter.windows(2).map(|pair| pair[1] - pair[0]);
     gaps.fold(f64::INFINITY, f64::min)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pin that is turned by `turn` in its hole.
+    fn turned(turn: f64) -> Vec<Option<Seat>> {
+        let angles: Vec<f64> = (0..90).map(|k| 0.07 * f64::from(k)).collect();
+        vec![Some(Seat::new(&angles, |k| angles[k] + turn, true)), None]
+    }
+
+    #[test]
+    fn load_steps_that_sit_alike_share_their_bodies() {
+        let (model, steps) = (turned(0.0), [1e-5, 2e-3, 2.01e-3, 0.0, 5e-3].map(turned));
+        let (unlike, which) = grouped(&model, &steps, &[1e-4, f64::INFINITY]);
+        assert_eq!((unlike.len(), which), (3, vec![0, 1, 1, 0, 2]));
+        // One without a pin that bears sits as none of the others.
+        let none = [vec![None, None]];
+        assert_eq!(grouped(&model, &none, &[1e-4, f64::INFINITY]).1, [1]);
+    }
+}
