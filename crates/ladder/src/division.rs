@@ -231,10 +231,19 @@ impl Changes<'_> {
             None if stated.is_of_nodes() && !self.nodes.are_graded() => {
                 by_models.max(0.5 * self.fine.spacings[edge])
             }
-            None if stated == Stated::ContactExtent => by_models.max(0.5 * self.end_spacing(at)),
-            // Of two models alone the largest node of the coarse one may lie near the peak by chance.
-            None if self.nodes.are_graded() && stated.is_fitted() => NODAL * by_models,
-            None => by_models,
+            None => {
+                // Of two models alone the largest node of the coarse one may lie near the peak by chance.
+                let is_nodal = self.nodes.are_graded() && stated.is_fitted();
+                let by_models = if is_nodal {
+                    NODAL * by_models
+                } else {
+                    by_models
+                };
+                match stated {
+                    Stated::ContactExtent => by_models.max(0.5 * self.end_spacing(at)),
+                    _ => by_models,
+                }
+            }
         })
     }
 
