@@ -162,8 +162,10 @@ pub enum FailureCause {
     },
     /// A floating body's load cannot be balanced: a rigid motion along which the load works separates, or slides along,
     /// every contact.
-    #[error("the load cannot be balanced: nothing stops a rigid motion on which it does work{}", if *proved { " (proved)" } else { "" })]
+    #[error("the load cannot be balanced: nothing stops a rigid motion on which {part:.0e} of it does work{}", if *proved { " (proved)" } else { "" })]
     Unbalanced {
+        /// The part of the load that works along it `[1]`: of the size of rounding where coordinates or directions are given to too few digits.
+        part: f64,
         /// The rigid motion α that begins, one number per mode, in the units of [`InterfaceProblem::modes`](crate::InterfaceProblem::modes).
         motion: Vec<f64>,
         /// Whether there is a proof (Farkas): a motion that differs from this one by the lift of sliding points, against which no admissible contact force works, whatever the points remember

@@ -91,7 +91,7 @@ pub(crate) fn climb(
             } else {
                 LadderEnd::Finest
             });
-            let ends = climb.checked((&levels, &mut path, &model), (errors, end), progress);
+            let ends = climb.checked((&mut levels, &mut path, &model), (errors, end), progress);
             // Finer nodes may make up for what increments leave.
             let Some((errors, end)) = ends else {
                 continue;

@@ -12,9 +12,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::FreeMotions;
 use super::least_distance::{least_distance, nearest};
 use super::step::Step;
+use super::{FailureCause, FreeMotions};
 use stickslip_friction::{History, PointStatus};
 
 /// Relative size of a remainder that counts.
@@ -87,9 +87,8 @@ fn units(step: &Step<'_>) -> DVector<f64> {
     })
 }
 
-/// How bodies begin to move under the load of `step` where there is a rigid motion along which it does work against no friction cone, and whether that is a proof that the load
-/// cannot be balanced; `None` where there is no such motion.
-pub(super) fn impossible(step: &Step<'_>) -> Option<(DVector<f64>, bool)> {
+/// [`FailureCause::Unbalanced`] where there is a rigid motion along which the load of `step` does work against no friction cone; `None` where there is no such motion.
+pub(super) fn impossible(step: &Step<'_>) -> Option<FailureCause> {
     if step.mode_load.amax() == 0.0 {
         return None;
     }
@@ -102,8 +101,13 @@ pub(super) fn impossible(step: &Step<'_>) -> Option<(DVector<f64>, bool)> {
     let remainder = nearest(&edges, &load);
     let proved = (0..step.count()).all(|k| step.problem.law(k).is_linear());
     proves(&edges, &load, &remainder).then(|| {
+        let part = remainder.norm() / load.norm();
         let motion = without_lift(step, &edges, &units, remainder);
-        (motion.component_mul(&units), proved)
+        FailureCause::Unbalanced {
+            part,
+            motion: motion.component_mul(&units).as_slice().to_vec(),
+            proved,
+        }
     })
 }
 

@@ -88,11 +88,7 @@ impl Chain {
             work: Work::default(),
             best: None,
         };
-        let unbalanced = impossible(step).map(|(motion, proved)| FailureCause::Unbalanced {
-            motion: motion.as_slice().to_vec(),
-            proved,
-        });
-        if let Some(cause) = unbalanced {
+        if let Some(cause) = impossible(step) {
             failure.attempts.push(("force balance", cause));
             if !failure.is_unresolved() {
                 return Err(failure);

@@ -64,7 +64,9 @@ pub(super) fn hold(
         None => pressed,
     };
     if held.is_empty() {
+        let load = step.mode_load.amax().max(frozen.forces.amax());
         return Err(FailureCause::Unbalanced {
+            part: speed / load,
             motion: direction.to_vec(),
             proved,
         });

@@ -342,6 +342,7 @@ fn unsupported_increments_are_solved_or_proved_impossible() {
                 assert_eq!(
                     *last,
                     FailureCause::Unbalanced {
+                        part: 1.0,
                         motion: vec![1.0],
                         proved: true
                     }

@@ -149,6 +149,7 @@ fn a_block_pulled_off_is_unbalanced_and_proved_so() {
                     FailureCause::Unbalanced {
                         motion,
                         proved: true,
+                        ..
                     },
                 ) = failure.attempts.last().unwrap()
                 else {
@@ -205,6 +206,7 @@ fn a_frictionless_block_slides_off_along_the_contact() {
         FailureCause::Unbalanced {
             motion,
             proved: true,
+            ..
         },
     ) = failure.attempts.last().unwrap()
     else {

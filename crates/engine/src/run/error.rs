@@ -36,6 +36,8 @@ pub enum RunError {
         /// Where the history ended.
         #[source]
         cause: ContactError,
+        /// The part of the load that is not balanced `[1]`.
+        part: f64,
         /// What the load moves, and how.
         moving: Vec<MovingBody>,
     },

@@ -57,11 +57,14 @@ pub(super) fn explained(
     interface: &Interface,
     cause: ContactError,
 ) -> RunError {
-    let moving = moving(model, operators, interface, &cause).unwrap_or_default();
-    if moving.is_empty() {
-        return cause.into();
+    match moving(model, operators, interface, &cause) {
+        Some((part, moving)) if !moving.is_empty() => RunError::Unbalanced {
+            cause,
+            part,
+            moving,
+        },
+        _ => cause.into(),
     }
-    RunError::Unbalanced { cause, moving }
 }
 
 /// What `walk` finds of the history of `model`, with the wall time of every load step and of all `[s]`; `walk` calls its argument when a step is done.

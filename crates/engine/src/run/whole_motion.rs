@@ -187,22 +187,23 @@ pub(super) fn free_motions(
     rotation.into_iter().chain(translation).collect()
 }
 
-/// The bodies that the load moves, and how, where the end `error` of a history proves that nothing balances it; otherwise none.
+/// The part of the load that is not balanced `[1]` and the bodies that it moves, and how, where the end `error` of a history proves that nothing balances it; otherwise none.
 pub(super) fn moving(
     model: &Model,
     operators: &[Operator],
     interface: &Interface,
     error: &ContactError,
-) -> Option<Vec<MovingBody>> {
+) -> Option<(f64, Vec<MovingBody>)> {
     let ContactError::StepFailed { bodies, cause, .. } = error else {
         return None;
     };
     let mut attempts = cause.attempts.iter();
-    let motion = attempts.find_map(|(_, cause)| match cause {
+    let (unbalanced, motion) = attempts.find_map(|(_, cause)| match cause {
         FailureCause::Unbalanced {
+            part,
             motion,
             proved: true,
-        } => Some(motion),
+        } => Some((*part, motion)),
         _ => None,
     })?;
     let mut parts = interface.parts().iter();
@@ -216,7 +217,7 @@ pub(super) fn moving(
         body: model.bodies[index].name.clone(),
         motion: own.motion(),
     });
-    Some(named.collect())
+    Some((unbalanced, named.collect()))
 }
 
 #[cfg(test)]

@@ -77,13 +77,20 @@ impl Climb<'_> {
         }
     }
 
-    /// The `errors` and the `end` of a climb after what given increments leave of the last of `levels` is compared on its own nodes; `None` where it goes on.
+    /// The `errors` and the `end` of a climb after what increments leave of the last of `levels` is compared on its own nodes, where the scene gives them or they leave too much; `None` where
+    /// the climb goes on.
     pub(super) fn checked(
         &mut self,
-        (levels, path, geometry): (&[Level], &mut Left, &Geometry),
+        (levels, path, geometry): (&mut [Level], &mut Left, &Geometry),
         (errors, end): (Estimates, LadderEnd),
         progress: &mut dyn FnMut(Progress),
     ) -> Option<(Estimates, LadderEnd)> {
+        if end == LadderEnd::LoadPath
+            && let Some(left) = self.judged_again(levels, progress)
+        {
+            *path = left;
+            return None;
+        }
         let (finer, last) = match (self.in_more_increments(levels, progress), levels.last()) {
             (Some(Ok(finer)), Some(last)) => (finer, last),
             // Of the load path too little is known.
@@ -99,6 +106,30 @@ impl Climb<'_> {
             }
             _ => Some((errors, end)),
         }
+    }
+
+    /// What twice as many increments leave of the last of `levels`, which they replace; `None` where the scene gives them, or that was done before. The first model, on which they were chosen,
+    /// has few nodes: where each increment closes one of them, peaks change by much more than on the nodes of the last.
+    fn judged_again(
+        &mut self,
+        levels: &mut [Level],
+        progress: &mut dyn FnMut(Progress),
+    ) -> Option<Left> {
+        let last = levels.last_mut()?;
+        let is_first = last.substeps.iter().all(|&count| count <= INCREMENTS);
+        if self.scene.analysis.substeps.is_some() || !is_first || self.is_spent(last) {
+            return None;
+        }
+        let halves: Vec<usize> = last.substeps.iter().map(|count| count / 2).collect();
+        let half = self.level_in_time(last.rung, &halves, progress).ok()??;
+        let twice = times(2, &last.substeps);
+        let finer = self.level_in_time(last.rung, &twice, progress).ok()??;
+        let all = vec![true; twice.len()];
+        let mut changes = Changes::default();
+        changes.halved((&last.numbers, &half.numbers), &all, &last.substeps);
+        let found = changes.halved((&finer.numbers, &last.numbers), &all, &twice);
+        *last = finer;
+        Some(found.left)
     }
 
     /// The last of `levels` with twice as many increments, whatever that takes, where the scene gives them, friction acts, and more of them were not compared on the same nodes.

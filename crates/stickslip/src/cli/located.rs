@@ -10,6 +10,9 @@ use stickslip_scene::Scene;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 use stickslip_scene::schema::{BodyModel, Division, KinematicsChoice, SolverChoice};
 
+/// Part of a load that is out of balance because numbers of the scene were rounded.
+const ROUNDED: f64 = 1e-6;
+
 /// The error at the key that it is about, with a remedy.
 pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
     let (key, remedy) = match error {
@@ -182,10 +185,15 @@ fn message(scene: &Scene, error: &RunError) -> String {
     };
     let loads: Vec<String> = loads.iter().map(value).collect();
     let why = match error {
-        RunError::Unbalanced { moving, .. } => format!(
-            "the load cannot be balanced: {} (proved)",
-            described(moving)
-        ),
+        RunError::Unbalanced { moving, part, .. } => {
+            let moved = described(moving);
+            let by = if *part < ROUNDED {
+                format!(" by {part:.0e} of the load")
+            } else {
+                String::new()
+            };
+            format!("the load cannot be balanced: {moved}{by} (proved)")
+        }
         _ => cause.to_string(),
     };
     format!(
@@ -212,8 +220,13 @@ fn described(moving: &[MovingBody]) -> String {
     }
 }
 
-/// What stops the bodies that a load moves.
-fn against(scene: &Scene, moving: &[MovingBody]) -> String {
+/// What stops the bodies that the part `part` of a load moves.
+fn against(scene: &Scene, moving: &[MovingBody], part: f64) -> String {
+    if part < ROUNDED {
+        return "give coordinates and directions with more digits, so that the loads balance to 1e-10 of their size, or hold the bodies against this \
+                motion by a support or springs"
+            .to_owned();
+    }
     let moves = |body: &String| moving.iter().any(|own| own.body == *body);
     let mut contacts = scene.contacts.iter();
     if contacts.any(|own| moves(&own.first.body) || moves(&own.second.body)) {
@@ -272,7 +285,11 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
             format!("bodies.{body}"),
             "check the body's supports: it must not be able to move as a whole without contact",
         ),
-        RunError::Unbalanced { cause, moving } => {
+        RunError::Unbalanced {
+            cause,
+            part,
+            moving,
+        } => {
             let key = match cause {
                 ContactError::StepFailed { bodies, .. } => key_of_drive(scene, bodies),
                 _ => "loads".to_owned(),
@@ -281,7 +298,7 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
                 &key,
                 SceneProblem::Model {
                     message: message(scene, error),
-                    remedy: against(scene, moving),
+                    remedy: against(scene, moving, *part),
                 },
             );
         }

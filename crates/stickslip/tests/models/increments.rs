@@ -112,6 +112,70 @@ fn work_of_friction_of_a_tight_pin_lies_within_its_error() {
     assert!(off < 1.0, "{off}");
 }
 
+/// A cylinder on a softer half-plane with friction, pressed, pressed on and let go.
+const CYLINDER: &str = r#"
+version = 1
+analysis.plane = "strain"
+[materials.al.isotropic]
+young = "70 GPa"
+poisson = 0.33
+[materials.st.isotropic]
+young = "210 GPa"
+poisson = 0.3
+[bodies.flat]
+material = "al"
+thickness = "1 mm"
+model = "half-plane"
+shape.block = { half_length = "10 mm", depth = "10 mm" }
+[bodies.cylinder]
+material = "st"
+thickness = "1 mm"
+model = "half-plane"
+shape.cylinder = { radius = "50 mm", half_length = "10 mm", depth = "10 mm" }
+[[contacts]]
+first = "cylinder.contact"
+second = "flat.contact"
+gap = "linearised"
+friction.coulomb.mu = 0.3
+[[supports]]
+on = "flat.bottom"
+fix = ["x", "y"]
+[[platens]]
+on = "cylinder.top"
+free = ["x", "y"]
+[[loads]]
+on = "cylinder.top"
+force = { direction = [0, -1], steps = ["500 N", "1 kN", "300 N"] }
+[output]
+fields = "none"
+figures = false
+"#;
+
+/// On few nodes each increment closes one of them, and peaks change with their number; on the nodes of the last model they hardly do.
+#[test]
+fn increments_are_judged_again_where_they_leave_too_much() {
+    let largest = |accuracy: &str| {
+        let found = solved(CYLINDER, &[&format!("analysis.accuracy=\"{accuracy}\"")]);
+        let ladder = found.ladder.clone().unwrap();
+        let (error, _) = ladder.rungs.last().unwrap().error.unwrap();
+        (found, ladder.end, error)
+    };
+    let [(coarse, _, five), (fine, end, two)] = ["5 %", "2 %"].map(largest);
+    assert_eq!(end, LadderEnd::Reached);
+    assert!(two < 0.02 && two < five, "{two} {five}");
+    for step in 0..3 {
+        for stated in [
+            Stated::PeakHoop,
+            Stated::PeakPressure,
+            Stated::StickExtent,
+            Stated::FrictionWork,
+        ] {
+            let off = off(&coarse, &fine, step, stated);
+            assert!(off < 1.0, "step {}, {stated:?}: {off}", step + 1);
+        }
+    }
+}
+
 /// Tractions may stay while the work of friction does not: more increments of the first step of a growing load find another slip alone.
 #[test]
 fn increments_that_change_the_work_of_friction_are_found() {

@@ -183,7 +183,7 @@ fn every_solver_refuses_a_load_without_balance_before_it_searches() {
         let solver = format!("analysis.solver={solver}");
         let across = "loads.0.force.direction=[0, 1]";
         let error = run(&scene(BUSHING, &[across, &solver]), &mut |_| {}).unwrap_err();
-        let RunError::Unbalanced { cause, moving } = error else {
+        let RunError::Unbalanced { cause, moving, .. } = error else {
             panic!("{solver}: {error}");
         };
         let turns = |own: &MovingBody| matches!(own.motion, WholeMotion::Turns { .. });
@@ -195,6 +195,22 @@ fn every_solver_refuses_a_load_without_balance_before_it_searches() {
         assert_eq!(cause.work.pivots, 0, "{solver}: {cause}");
         assert_eq!(cause.attempts.len(), 1, "{solver}: {cause}");
     }
+}
+
+/// A load that misses the axis of the pin by what is left of rounded coordinates is carried; by how much more it misses is said.
+#[test]
+fn loads_balance_up_to_rounded_coordinates() {
+    let missing = |along: &str| {
+        let direction = format!("loads.0.force.direction=[1, {along}]");
+        run(&scene(BUSHING, &[&direction]), &mut |_| {})
+    };
+    let found = missing("1e-12").unwrap();
+    assert!(found.steps.iter().all(|step| step.balance_residual < 1e-10));
+    let error = missing("1e-8").unwrap_err();
+    let RunError::Unbalanced { part, .. } = error else {
+        panic!("{error}");
+    };
+    assert!((1e-10..1e-6).contains(&part), "{part}");
 }
 
 /// A block on a slope of 30° that is too steep for it.
