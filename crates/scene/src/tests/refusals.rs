@@ -413,7 +413,7 @@ pin.mesh.layers has no effect … a disk … remove layers
 #[test]
 fn versions() {
     check(
-        r#"
+        r"
 version = 1 => version = 2
 scene::unsupported_version 1: 2
 version 2 … version = 1
@@ -421,7 +421,7 @@ version 2 … version = 1
 version = 1⏎ =>
 scene::missing_version 1:
 version = 1
-"#,
+",
     );
 }
 
