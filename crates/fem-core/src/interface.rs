@@ -292,37 +292,38 @@ mod tests {
         let square = |size| DMatrix::<f64>::identity(size, size);
         let response = |size| vec![DVector::zeros(size)];
         assert!(GivenBody::held(square(4), response(4)).is_ok());
-        let text = |found: Result<GivenBody, GivenBodyError>| found.unwrap_err().to_string();
+        let shape = |what: &str, own: [usize; 2], expected: [usize; 2]| {
+            Err(GivenBodyError::Misfit(Misfit::Shape {
+                what: what.to_owned(),
+                rows: own[0],
+                columns: own[1],
+                expected_rows: expected[0],
+                expected_columns: expected[1],
+            }))
+        };
         assert_eq!(
-            text(GivenBody::held(square(3), response(3))),
-            "the compliance is 3 × 3, where 2 × 2 is needed"
+            GivenBody::held(square(3), response(3)),
+            shape("the compliance", [3, 3], [2, 2])
         );
         assert_eq!(
-            text(GivenBody::held(square(4), response(2))),
-            "the response to load case 1 is 2 × 1, where 4 × 1 is needed"
+            GivenBody::held(square(4), response(2)),
+            shape("the response to load case 1", [2, 1], [4, 1])
         );
-        let modes = DMatrix::zeros(4, 1);
+        let floating = |resultants| {
+            GivenBody::floating(square(4), DMatrix::zeros(4, 1), response(4), resultants)
+        };
         assert_eq!(
-            text(GivenBody::floating(
-                square(4),
-                modes.clone(),
-                response(4),
-                response(2)
-            )),
-            "the resultant of load case 1 is 2 × 1, where 1 × 1 is needed"
+            floating(response(2)),
+            shape("the resultant of load case 1", [2, 1], [1, 1])
         );
         assert_eq!(
-            text(GivenBody::floating(
-                square(4),
-                modes,
-                response(4),
-                Vec::new()
-            )),
-            "1 responses and 0 resultants of load cases"
+            floating(Vec::new()),
+            Err(GivenBodyError::LoadCases {
+                responses: 1,
+                mode_loads: 0
+            })
         );
-        assert_eq!(
-            text(GivenBody::held(square(2) * f64::NAN, Vec::new())),
-            "the compliance is not finite"
-        );
+        let infinite = GivenBody::held(square(2) * f64::NAN, Vec::new()).unwrap_err();
+        assert_eq!(infinite.to_string(), "the compliance is not finite");
     }
 }

@@ -306,11 +306,14 @@ fn what_cannot_be_fitted_is_refused() {
     let standard = Settings::default();
     assert_eq!(run(&[], &standard), CalibrateError::Parameters(0));
     let reversed = run(&[Parameter::new("a", [1.0, 0.0])], &standard);
-    assert_eq!(
-        reversed.to_string(),
-        "the range of 'a' from 1 to 0 is not valid: it must increase"
-    );
+    let range = |range, logarithmic| CalibrateError::Range {
+        name: "a".to_owned(),
+        range,
+        logarithmic,
+    };
+    assert_eq!(reversed, range([1.0, 0.0], false));
     let zero = run(&[Parameter::new("a", [0.0, 1.0]).logarithmic()], &standard);
+    assert_eq!(zero, range([0.0, 1.0], true));
     assert!(zero.to_string().ends_with("be positive, being logarithmic"));
     let confident = Settings {
         confidence: 1.0,

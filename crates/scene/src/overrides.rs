@@ -284,9 +284,11 @@ mod tests {
             after("contacts.1.name=b")["contacts"][1],
             json!({"name": "b"})
         );
-        assert_eq!(
-            refused("contacts.2.name=b"),
-            "--set:1:1: 'contacts.2.name' cannot be set: 'contacts' has 1 entry and '2' is not one of them"
+        let error = refused("contacts.2.name=b");
+        assert!(
+            error.starts_with("--set:1:1: 'contacts.2.name'")
+                && error.contains("'contacts' has 1 entry and '2'"),
+            "{error}"
         );
     }
 

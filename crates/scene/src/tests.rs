@@ -8,7 +8,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::diagnostic::{SceneError, SceneProblem};
+use crate::diagnostic::{Finding, SceneError, SceneProblem};
 use crate::schema::{Division, Hold, LoadKind, Shape, Substance};
 use crate::shape::Strip;
 use crate::{Format, Scene};
@@ -46,20 +46,23 @@ fn read(text: &str) -> Result<Scene, SceneError> {
     Scene::from_text(text, Format::Toml, "a.toml", Path::new(""), &[] as &[&str])
 }
 
-/// The only finding of the scene with `from` replaced by `to`: message, remedy, line, and the text it points at.
-fn refused(from: &str, to: &str) -> (String, String, usize, String) {
+/// The only finding of the scene with `from` replaced by `to`.
+fn refused(from: &str, to: &str) -> Finding {
     assert!(SCENE.contains(from), "{from}");
     let error = read(&SCENE.replace(from, to)).unwrap_err();
     assert_eq!(error.findings().len(), 1, "{error}");
-    let finding = &error.findings()[0];
-    let summary = finding.summary();
-    let shown = finding.source.text[finding.span.clone().unwrap()].to_owned();
-    (
-        summary.message,
-        summary.help.unwrap_or_default(),
-        summary.line.unwrap(),
-        shown,
-    )
+    error.findings()[0].clone()
+}
+
+/// The text that a finding points at.
+fn shown(finding: &Finding) -> &str {
+    &finding.source.text[finding.span.clone().unwrap()]
+}
+
+/// Its message, and its remedy on the next line.
+fn said(finding: &Finding) -> String {
+    let help = finding.summary().help.unwrap_or_default();
+    format!("{finding}\n{help}")
 }
 
 #[test]

@@ -264,15 +264,19 @@ mod tests {
 
     #[test]
     fn places_that_no_hats_stand_on_are_refused() {
-        let text = |found: Result<LineNodes, SeriesError>| found.unwrap_err().to_string();
-        assert_eq!(
-            text(LineNodes::whole(vec![0.0, 0.0])),
-            "node 2 stands at 0: places must be finite and increase, from 0 on in a half"
-        );
-        assert_eq!(
-            text(LineNodes::mirrored(vec![-1.0, 0.0])),
-            "node 1 stands at -1: places must be finite and increase, from 0 on in a half"
-        );
+        let error = LineNodes::whole(vec![0.0, 0.0]).unwrap_err();
+        let second = SeriesError::Place {
+            node: 1,
+            place: 0.0,
+        };
+        assert_eq!(error, second);
+        assert!(error.to_string().starts_with("node 2 stands at 0: "));
+        let error = LineNodes::mirrored(vec![-1.0, 0.0]).unwrap_err();
+        let first = SeriesError::Place {
+            node: 0,
+            place: -1.0,
+        };
+        assert_eq!(error, first);
         assert!(LineNodes::whole(vec![0.0, f64::NAN]).is_err());
         assert!(LineNodes::whole(vec![0.0]).is_err());
     }

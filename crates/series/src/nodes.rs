@@ -344,20 +344,21 @@ mod tests {
 
     #[test]
     fn nodes_that_no_hats_stand_on_are_refused() {
-        let text = |found: Result<Nodes, SeriesError>| found.unwrap_err().to_string();
-        assert_eq!(
-            text(Nodes::circle(vec![0.0, 1.0])),
-            "nodes 1 and 2 are 1 rad apart: 1e-7 to 0.785 are possible"
-        );
-        assert_eq!(
-            text(Nodes::arc(vec![0.0, f64::NAN])),
-            "the angle NaN is not one of a node here"
-        );
-        assert_eq!(
-            text(Nodes::mirrored(vec![-0.1, 0.1])),
-            "the angle -0.1 is not one of a node here"
-        );
-        assert_eq!(text(Nodes::arc(vec![0.0])), "1 node; at least 2 are needed");
+        let error = Nodes::circle(vec![0.0, 1.0]).unwrap_err();
+        let apart = SeriesError::Spacing {
+            node: 0,
+            spacing: 1.0,
+        };
+        assert_eq!(error, apart);
+        assert!(error.to_string().starts_with("nodes 1 and 2 "));
+        assert!(matches!(
+            Nodes::arc(vec![0.0, f64::NAN]),
+            Err(SeriesError::Angle { angle }) if angle.is_nan()
+        ));
+        let angle = Nodes::mirrored(vec![-0.1, 0.1]).unwrap_err();
+        assert_eq!(angle, SeriesError::Angle { angle: -0.1 });
+        let one = Nodes::arc(vec![0.0]).unwrap_err();
+        assert_eq!(one.to_string(), "1 node; at least 2 are needed");
         assert!(Nodes::arc(vec![0.0, 0.0]).is_err());
         assert!(Nodes::circle(vec![0.0, 0.5, 1.0, 1.5]).is_err());
     }

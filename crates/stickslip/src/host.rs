@@ -73,10 +73,10 @@ mod tests {
         };
         let error = host.read(&path, Content::Table).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::FileTooLarge);
-        assert_eq!(
-            error.to_string(),
-            "it has 1099.5 GB: it would take about 43980.5 GB of memory, and 1.1 GB are free"
-        );
+        let said = error.to_string();
+        for amount in ["1099.5 GB", "43980.5 GB of memory", "1.1 GB are free"] {
+            assert!(said.contains(amount), "{amount}: {said}");
+        }
         std::fs::write(&path, "a\n\u{e9}".as_bytes()).unwrap();
         assert_eq!(host.read(&path, Content::Table).unwrap().len(), 4);
         std::fs::write(&path, b"a\nb\xff").unwrap();

@@ -93,42 +93,42 @@ fn one_of_two_dimensions() {
     let either = Expected::any(&[Dimension::Angle, Dimension::Length]);
     assert_eq!(parse("2 mm", &either).unwrap(), (2.0, Dimension::Length));
     assert_eq!(parse("1 rad", &either).unwrap(), (1.0, Dimension::Angle));
-    assert_eq!(
-        parse("1 N", &either).unwrap_err().to_string(),
-        "\"1 N\" has the unit of a force; an angle or a length is expected"
-    );
+    let error = parse("1 N", &either).unwrap_err();
+    assert!(matches!(
+        &error,
+        UnitError::WrongDimension { text, expected, found: Dimension::Force } if text == "1 N" && *expected == either
+    ));
+    assert!(error.to_string().contains("an angle or a length"));
 }
 
 /// A fracture energy shares its unit with a stiffness and a line load, and whoever writes those has never meant an energy.
 #[test]
 fn a_unit_of_several_meanings_is_named_by_its_parts() {
-    let refused = |text: &str, expected: Dimension| {
-        parse(text, &Expected::one(expected))
-            .unwrap_err()
-            .to_string()
-    };
-    assert_eq!(
-        refused("1449.6 N/mm", Dimension::Force),
-        "\"1449.6 N/mm\" has the unit of a force per length; a force is expected"
-    );
-    assert_eq!(
-        refused("3 lbf/in", Dimension::Force),
-        "\"3 lbf/in\" has the unit of a force per length; a force is expected"
-    );
-    assert_eq!(
-        refused("2 kJ/m²", Dimension::Stress),
-        "\"2 kJ/m²\" has the unit of an energy per area; a stress is expected"
-    );
-    assert_eq!(
-        refused("2 N", Dimension::FractureEnergy),
-        "\"2 N\" has the unit of a force; a fracture energy is expected"
-    );
+    for (text, expected, words) in [
+        (
+            "1449.6 N/mm",
+            Dimension::Force,
+            "a force per length; a force",
+        ),
+        ("3 lbf/in", Dimension::Force, "a force per length; a force"),
+        ("2 kJ/m²", Dimension::Stress, "an energy per area; a stress"),
+        (
+            "2 N",
+            Dimension::FractureEnergy,
+            "a force; a fracture energy",
+        ),
+        (
+            "2 N/mm",
+            Dimension::BedStiffness,
+            "a force per length; a bed stiffness",
+        ),
+    ] {
+        let error = parse(text, &Expected::one(expected)).unwrap_err();
+        assert!(matches!(error, UnitError::WrongDimension { .. }), "{error}");
+        assert!(error.to_string().contains(words), "{error}");
+    }
     assert_eq!(value("2 N/mm", Dimension::SpringStiffness), 2.0);
     assert_eq!(value("2 N/mm", Dimension::FractureEnergy), 2.0);
-    assert_eq!(
-        refused("2 N/mm", Dimension::BedStiffness),
-        "\"2 N/mm\" has the unit of a force per length; a bed stiffness is expected"
-    );
 }
 
 #[test]

@@ -210,9 +210,7 @@ mod tests {
             let error = Isotropic::new(young, 0.3, Stress).unwrap_err();
             assert!(matches!(error, MaterialError::Modulus { .. }), "{error}");
         }
-        assert_eq!(
-            Isotropic::new(1.0, 0.5, Strain).unwrap_err().to_string(),
-            "Poisson's ratio 0.5 must be greater than -1 and less than 0.5 in plane strain"
-        );
+        let error = Isotropic::new(1.0, 0.5, Strain).unwrap_err().to_string();
+        assert!(error.contains("less than 0.5 in plane strain"), "{error}");
     }
 }

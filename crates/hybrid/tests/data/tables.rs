@@ -16,8 +16,16 @@ const DICE: &str = "***\n*** Digital Image Correlation Engine (DICe)\n\
     1,4.0E+01,3.1E+02,0.0E+00,0.0E+00,-1.0E+00,-1.0E+00\n\
     2,5.0E+01,3.0E+02,nan,-5.0E-01,1.2E-02,2.0E-03\n";
 
-fn refusal(text: &str) -> String {
-    plain(text).unwrap_err().to_string()
+fn refusal(text: &str) -> DataError {
+    plain(text).unwrap_err()
+}
+
+#[track_caller]
+fn says(error: &DataError, parts: &[&str]) {
+    let said = error.to_string();
+    for part in parts {
+        assert!(said.contains(part), "{part} in {said}");
+    }
 }
 
 #[test]
@@ -95,59 +103,77 @@ fn two_rows_at_one_place_are_named_by_the_tables_own_numbers() {
         y_axis: YAxis::Down,
         ..Reading::default()
     };
-    let refused =
-        |text: &str, format: &Format| read(text, format, &pixels).unwrap_err().to_string();
+    let refused = |text: &str, format: &Format| read(text, format, &pixels).unwrap_err();
+    let twice = |places| DataError::DuplicatedPoint {
+        file: "test.csv".to_owned(),
+        first: 2,
+        second: 3,
+        places,
+    };
     assert_eq!(
         refused("x,y,u,v\n300.5,200,0,0\n300.50,2e2,1,1\n", &Format::plain()),
-        "test.csv: lines 2 and 3 are both at (300.5, 200); keep one of them"
+        twice([[300.5, 200.0]; 2])
+    );
+    let moved = refused(
+        "x,y,ux,uy\n300.5,200,0.5,0\n301,200,1,0\n",
+        &Format::mudic(),
+    );
+    assert_eq!(moved, twice([[300.5, 200.0], [301.0, 200.0]]));
+    says(
+        &moved,
+        &["before the deformation", "less their displacements"],
+    );
+}
+
+/// The words themselves, of two common errors.
+#[test]
+fn refusals_name_file_line_column_value_and_remedy() {
+    assert_eq!(
+        refusal("x,y,U,w\n1,2,3,4\n").to_string(),
+        "test.csv: line 1 names no column 'v'; it has x, y, U, w; state which of them holds it"
     );
     assert_eq!(
-        refused(
-            "x,y,ux,uy\n300.5,200,0.5,0\n301,200,1,0\n",
-            &Format::mudic()
-        ),
-        "test.csv: lines 2 and 3 are both at one place before the deformation, (300.5, 200) and (301, 200) less their displacements; \
-         keep one of them"
+        refusal("*\n\nx,y,u,v\n1,2,3,4\n1,3,a1,4\n").to_string(),
+        "test.csv: line 5, column 'u': 'a1' is not a number; write a number with a decimal point, or NaN where nothing was measured; begin the line with # \
+         if it is no data"
     );
 }
 
 #[test]
-fn refusals_name_file_line_column_value_and_remedy() {
-    assert_eq!(
-        refusal("x,y,U,w\n1,2,3,4\n"),
-        "test.csv: line 1 names no column 'v'; it has x, y, U, w; state which of them holds it"
-    );
-    assert_eq!(
-        refusal("*\n\nx,y,u,v\n1,2,3,4\n1,3,a1,4\n"),
-        "test.csv: line 5, column 'u': 'a1' is not a number; write a number with a decimal point, or NaN where nothing was measured; begin the line with # \
-         if it is no data"
-    );
-    assert_eq!(
+fn bad_tables_are_refused() {
+    assert!(matches!(
         refusal("x,y,u,v\n1,2,3,4\n\n# again\n1,2,5,6\n"),
-        "test.csv: lines 2 and 5 are both at (1, 2); keep one of them"
-    );
-    assert_eq!(
+        DataError::DuplicatedPoint { first: 2, second: 5, places, .. } if places == [[1.0, 2.0]; 2]
+    ));
+    assert!(matches!(
         refusal("x,y,u,v\n,2,3,4\n"),
-        "test.csv: line 2, column 'x': '' is no place for a displacement; give the place, or NaN for the displacement"
-    );
-    assert_eq!(
+        DataError::NotANumber { line: 2, column, value, remedy, .. }
+            if column == "x" && value.is_empty() && remedy.contains("NaN for the displacement")
+    ));
+    assert!(matches!(
         refusal("x,y,u,v\n1,2,3\n"),
-        "test.csv: line 2 has 3 fields, the header has 4; complete the row or remove it"
-    );
-    assert!(refusal("x,y,u,v\n1,2,inf,4\n").contains("'inf' is not finite"));
-    assert!(refusal("x,y,u,v,U\n1,2,3,4,5\n").contains("names column 'u' 2 times"));
-    assert!(
-        refusal("x,y,u,v\n1,2,nan,\n1,3,,NaN\n")
-            .contains("none of 2 points has a valid displacement")
-    );
+        DataError::RowLength {
+            line: 2,
+            fields: 3,
+            columns: 4,
+            all: false,
+            ..
+        }
+    ));
+    says(&refusal("x,y,u,v\n1,2,inf,4\n"), &["'inf' is not finite"]);
+    assert!(matches!(
+        refusal("x,y,u,v,U\n1,2,3,4,5\n"),
+        DataError::RepeatedColumn { column, times: 2, .. } if column == "u"
+    ));
+    assert!(matches!(
+        refusal("x,y,u,v\n1,2,nan,\n1,3,,NaN\n"),
+        DataError::AllMasked { rows: 2, .. }
+    ));
     for text in ["", "\n# nothing\n", "x,y,u,v\n"] {
-        assert!(refusal(text).contains("there are no data"));
+        assert!(matches!(refusal(text), DataError::Empty { .. }));
     }
     let no_scale = read(DICE, &Format::dice(), &Reading::default()).unwrap_err();
-    assert_eq!(
-        no_scale.to_string(),
-        "test.csv: the numbers are in pixels and no scale is given; state the length of one pixel"
-    );
+    assert!(matches!(no_scale, DataError::NoScale { .. }), "{no_scale}");
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let wrong = read(DICE, &Format::dice(), &pixels(scale)).unwrap_err();
         assert!(
@@ -167,12 +193,10 @@ fn refusals_name_file_line_column_value_and_remedy() {
         &Format::plain(),
         &Reading::default(),
     );
-    assert!(
-        binary
-            .unwrap_err()
-            .to_string()
-            .starts_with("b.csv: line 2 is no row of a table: it is not UTF-8")
-    );
+    assert!(matches!(
+        binary.unwrap_err(),
+        DataError::Malformed { file, line: 2, cause } if file == "b.csv" && cause.starts_with("it is not UTF-8")
+    ));
     let overflow = read("x,y,u,v\n1e300,2,3,4\n", &Format::plain(), &pixels(1e300)).unwrap_err();
     assert!(
         overflow.to_string().contains("overflows with the scale"),
@@ -238,50 +262,57 @@ fn tables_of_other_tools_are_read_as_they_are_meant() {
 #[test]
 fn tables_that_may_mean_two_things_are_refused_with_a_remedy_that_helps() {
     let headless = "1.5,2,0.001,-3,7\n2.5,2,0.002,-4,8\n";
-    assert_eq!(
-        refusal(headless),
-        "test.csv: line 1 is '1.5,2,0.001,-3,7', numbers where the names of columns belong; write a line above it that names its 5 \
-         columns, such as 'x,y,u,v,c5'"
-    );
-    assert_eq!(
-        plain(&format!("x,y,u,v,c5\n{headless}"))
-            .unwrap()
-            .places
-            .len(),
-        2
-    );
-    let mixed = "x;y;u;v\n1,5;2;0.001;3\n";
-    assert_eq!(
-        refusal(mixed),
-        "test.csv: line 2, column 'x': '1,5' has a decimal comma, and '0.001' in line 2 a decimal point; write all numbers of the table \
-         with decimal points"
-    );
-    assert!(plain(&mixed.replace(',', ".")).is_ok());
-    let thousands = "x;y;u;v\n1,500;2;12,250;3\n";
+    let error = refusal(headless);
     assert!(
-        refusal(thousands)
-            .contains("line 2, column 'x': '1,500' may have a decimal comma or thousands")
-    );
-    assert!(plain(&thousands.replace(',', ".")).is_ok());
-    // A comma for everything.
-    let commas = "x,y,u,v\n1,5,2,0,0,001,3,0\n2,5,2,0,0,002,4,0\n";
-    let error = refusal(commas);
-    assert!(
-        error.contains("line 2 has 8 fields, the header has 4; so have all rows")
-            && error.contains("semicolons"),
+        matches!(&error, DataError::NoHeader { line: 1, numbers, columns: 5, .. } if numbers == "1.5,2,0.001,-3,7"),
         "{error}"
     );
+    says(&error, &["5 columns, such as 'x,y,u,v,c5'"]);
+    let whole = plain(&format!("x,y,u,v,c5\n{headless}")).unwrap();
+    assert_eq!(whole.places.len(), 2);
+    for (text, commas, parts) in [
+        (
+            "x;y;u;v\n1,5;2;0.001;3\n",
+            "1,5",
+            ["'0.001' in line 2 a decimal point", "has a decimal comma"],
+        ),
+        (
+            "x;y;u;v\n1,500;2;12,250;3\n",
+            "1,500",
+            ["a decimal comma or thousands", "may have"],
+        ),
+    ] {
+        let error = refusal(text);
+        assert!(
+            matches!(&error, DataError::DecimalComma { line: 2, column, value, .. } if column == "x" && value == commas),
+            "{error}"
+        );
+        says(&error, &parts);
+        assert!(plain(&text.replace(',', ".")).is_ok());
+    }
+    // A comma for everything.
+    let error = refusal("x,y,u,v\n1,5,2,0,0,001,3,0\n2,5,2,0,0,002,4,0\n");
+    assert!(matches!(
+        error,
+        DataError::RowLength {
+            line: 2,
+            fields: 8,
+            columns: 4,
+            all: true,
+            ..
+        }
+    ));
+    says(&error, &["so have all rows", "semicolons"]);
     assert!(plain("x;y;u;v\n1,5;2,0;0,001;3,0\n2,5;2,0;0,002;4,0\n").is_ok());
-    assert!(refusal("x,y,u,v\n0,1,2,3,4\n1,2,2,3,4\n").contains("name every column in the header"));
+    let error = refusal("x,y,u,v\n0,1,2,3,4\n1,2,2,3,4\n");
+    says(&error, &["name every column in the header"]);
     // Units are for displacements; of fringe centres the scale alone says what they are.
     let centres = "line,x,y,order\n-,mm,mm,-\na,0,0,1\na,1,0,2\n";
     let read =
         |text: &str| FringeLines::read(text.as_bytes(), "t", Field::U, &LineReading::new(1.0, 1.0));
-    let error = read(centres).unwrap_err().to_string();
-    assert!(
-        error.contains("line 2 is a row of units ('mm')") && error.contains('#'),
-        "{error}"
-    );
+    let error = read(centres).unwrap_err();
+    assert!(matches!(&error, DataError::Units { line: 2, unit, .. } if unit == "mm"));
+    says(&error, &["#"]);
     assert!(read(&centres.replace("-,mm", "#-,mm")).is_ok());
 }
 

@@ -27,16 +27,13 @@ fn nodes_without_data_are_named_with_their_place() {
     assert!(matches!(linear.uncovered()[0].reason, Reason::Gap { .. }));
     assert_eq!(linear.uncovered()[1].reason, Reason::Outside);
     let words = linear.complete().unwrap_err().to_string();
-    assert!(
-        words.starts_with(
-            "2 of 5 nodes are not covered by the data: node 0 at (0.5, 0.5), U: in a gap"
-        ),
-        "{words}"
-    );
-    assert!(
-        words.ends_with("node 2 at (1.2, 0.5), U: outside the data"),
-        "{words}"
-    );
+    for part in [
+        "2 of 5 nodes",
+        "node 0 at (0.5, 0.5), U: in a gap",
+        "node 2 at (1.2, 0.5), U: outside the data",
+    ] {
+        assert!(words.contains(part), "{part}: {words}");
+    }
 
     let fit = LocalPolynomial {
         largest_radius: 0.2,

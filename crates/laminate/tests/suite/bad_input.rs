@@ -63,11 +63,14 @@ fn laminates_name_layer_and_ply() {
         "{angle}"
     );
     let unknown = Laminate::new(&"[0/90:glass]".parse().unwrap(), &ply()).unwrap_err();
-    assert!(
-        unknown
-            .to_string()
-            .contains("layer 2 names ply 'glass', which is not among: carbon"),
-        "{unknown}"
+    let known = vec!["carbon".to_owned()];
+    assert_eq!(
+        unknown,
+        LaminateError::UnknownPly {
+            layer: 1,
+            ply: "glass".to_owned(),
+            known
+        }
     );
     let huge = PlyConstants {
         e1: 1e308,

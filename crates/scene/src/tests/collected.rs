@@ -90,13 +90,8 @@ fn strengths_are_asked_for_beside_other_errors() {
     let found = findings("", &[unknown]);
     let keys: Vec<_> = found.iter().map(|(key, _)| key.as_str()).collect();
     assert_eq!(keys, ["failure.criteria.0", "failure.criteria.1"]);
-    let none = findings(
-        "",
-        &[(
-            "strengths = { xt = \"1500 MPa\", xc = \"1200 MPa\", yt = \"50 MPa\", yc = \"200 MPa\", s12 = \"70 MPa\" }",
-            "strengths = {}",
-        )],
-    );
+    let strengths = JOINT.lines().find(|line| line.starts_with("strengths"));
+    let none = findings("", &[(strengths.unwrap(), "strengths = {}")]);
     assert_eq!(none.len(), 1, "{none:?}");
 }
 
@@ -106,12 +101,7 @@ fn failure_without_laminates_is_refused_beside_other_errors() {
         "material = \"layers\"\n",
         "material = \"steel\"\nthickness = \"1 mm\"\n",
     );
-    both(
-        "",
-        steel,
-        "failure",
-        "no body of this scene is made of a laminate",
-    );
+    both("", steel, "failure", "no body");
     let refused = findings("", &[("layup = \"[0/90]s\"", "layup = \"[0/90]\"")]);
     assert_eq!(refused.len(), 1, "{refused:?}");
     let undefined = findings("", &[("material = \"layers\"", "material = \"layer\"")]);

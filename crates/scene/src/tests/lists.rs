@@ -4,7 +4,6 @@ use super::*;
 
 #[test]
 fn a_list_is_no_table() {
-    let expected = "expected a table, such as { key = value }, found a list";
     for (from, to, list) in [
         (
             "shape.disk = { radius = \"4.99 mm\" }",
@@ -23,12 +22,16 @@ fn a_list_is_no_table() {
             "[\"x\"]",
         ),
     ] {
-        let (message, _, _, shown) = refused(from, to);
+        let finding = refused(from, to);
+        assert_eq!(shown(&finding), list, "{finding}");
         let wanted = if from.contains("fix") {
-            "expected one of x, y, found a list"
+            "one of x, y"
         } else {
-            expected
+            "a table"
         };
-        assert_eq!((message.as_str(), shown.as_str()), (wanted, list), "{to}");
+        assert!(
+            matches!(&finding.problem, SceneProblem::WrongKind { expected, found } if expected.starts_with(wanted) && found == "a list"),
+            "{to}: {finding}"
+        );
     }
 }

@@ -242,48 +242,49 @@ fn loads_that_do_not_fit_are_refused() {
         thickness: 1.0,
     };
     let nodes = Nodes::uniform_half(9).unwrap();
-    let text = |load: DiskLoad, held: bool| {
+    let error = |load: DiskLoad, held: bool| {
         let make = if held { Disk::held } else { Disk::floating };
         let made = make(nodes.clone(), &material, unit, Anchor::Area, &[load]);
-        made.unwrap_err().to_string()
+        made.unwrap_err()
     };
     let push = DiskLoad {
         force: [1.0, 2.0],
         ..DiskLoad::default()
     };
-    assert_eq!(
-        text(push, false),
-        "load case 0: the force along y is 2; in a half model it must be 0"
-    );
-    assert_eq!(
-        text(push, true),
-        "load case 0: the force acts where the body is held"
-    );
+    let across = SeriesError::NotSymmetric {
+        case: 0,
+        what: "the force along y",
+        value: 2.0,
+    };
+    assert_eq!(error(push, false), across);
+    let on_support = |what| SeriesError::LoadOnSupport { case: 0, what };
+    assert_eq!(error(push, true), on_support("the force"));
     let moved = DiskLoad {
         displacement: [f64::INFINITY, 0.0],
         ..DiskLoad::default()
     };
-    assert_eq!(
-        text(moved, true),
-        "load case 0: the displacement along x is inf"
-    );
-    assert_eq!(
-        text(moved, false),
-        "load case 0: the displacement acts on a body that floats"
-    );
+    let infinite = SeriesError::LoadNotFinite {
+        case: 0,
+        what: "the displacement along x",
+        value: f64::INFINITY,
+    };
+    assert_eq!(error(moved, true), infinite);
+    let floats = SeriesError::NoSupport {
+        case: 0,
+        what: "the displacement",
+    };
+    assert_eq!(error(moved, false), floats);
     let anchor = Anchor::Centre { circle: 0.5 };
     let refused = Disk::held(nodes.clone(), &material, unit, anchor, &[]);
-    assert_eq!(
-        refused.unwrap_err().to_string(),
-        "the circle about the centre has 0.5 of the disk's radius: more than 0 and at most 0.25 are possible"
-    );
+    let too_large = SeriesError::CentreCircle {
+        ratio: 0.5,
+        largest: 0.25,
+    };
+    assert_eq!(refused.unwrap_err(), too_large);
     let far = FarLoad {
         force: [1.0, 0.0],
         ..FarLoad::default()
     };
     let refused = Hole::held(nodes, &material, unit, &[far]).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "load case 0: the force or moment far away acts where the body is held"
-    );
+    assert_eq!(refused, on_support("the force or moment far away"));
 }

@@ -6,7 +6,7 @@ use stickslip_fem_core::material::{Isotropic, Orthotropic, OrthotropicConstants,
 use stickslip_fem_core::nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::{InterfaceOperator, RigidBody};
 use stickslip_series::{
-    Accuracy, AnisotropicHole, Circle, EdgeLoad, FarLoad, Hole, Nodes, Outline, Plate,
+    Accuracy, AnisotropicHole, Circle, EdgeLoad, FarLoad, Hole, Nodes, Outline, Plate, SeriesError,
 };
 
 use crate::contacts::{follow, problem};
@@ -182,10 +182,10 @@ fn both_descriptions_of_an_isotropic_plate_agree() {
     assert_eq!(check(&hole, known), Ok(()));
     let half = Nodes::uniform_half(9).unwrap();
     let refused = AnisotropicHole::held(half, &turned, UNIT, &[]).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "the material does not mirror itself in the axis of the half model"
-    );
+    assert!(matches!(
+        refused,
+        SeriesError::Material { what } if what.starts_with("does not mirror itself")
+    ));
 }
 
 const FAR: Accuracy = Accuracy {
@@ -271,10 +271,10 @@ fn nearly_isotropic_plates_lose_few_digits() {
         assert!(difference.amax() < (2.0 * part + 1e-6) * size, "{part}");
     }
     let refused = Plate::anisotropic(nodes, &isotropic, UNIT, &outline, &loads, FAR).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "the material has no positive definite stiffness, or is isotropic"
-    );
+    assert!(matches!(
+        refused,
+        SeriesError::Material { what } if what.contains("or is isotropic")
+    ));
 }
 
 /// A plate that is turned with its material, its outline and its load moves as it did.

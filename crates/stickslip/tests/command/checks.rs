@@ -30,10 +30,12 @@ fn run_prints_its_warnings_below_the_table() {
         "analysis.experimental=true",
     ];
     let printed = succeeds(folder.path(), &[&run[..], &penalty[..]].concat());
-    let after = printed.split_once("\n\nwarning: The answer is not verified in load steps 1–2:");
+    let after = printed.split_once("\n\nwarning: The answer is not verified");
     let (table, rest) = after.unwrap_or_else(|| panic!("{printed}"));
     assert!(
-        table.contains("Contact '") && rest.contains("\n\nresults in out\n"),
+        table.contains("Contact '")
+            && rest.starts_with(" in load steps 1–2:")
+            && rest.contains("\n\nresults in out\n"),
         "{printed}"
     );
     // Errors of this mesh are stated on request only.
@@ -191,7 +193,8 @@ fn check_shows_the_moduli_of_a_laminate_and_run_prints_its_failure() {
         "Failure of 'plate', lay-up [0/±45/90]s",
         "first ply",
         "characteristic curve",
-        "maximum stress: on the characteristic curve the joint 'plate' has its first crack in a ply, ",
+        "maximum stress: on the characteristic curve",
+        "'plate' has its first crack in a ply, ",
     ] {
         assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
     }

@@ -83,7 +83,8 @@ fn quantities() {
         "\"2 MPa\"",
         &[
             "bad.toml:8:13",
-            "\"2 MPa\" has the unit of a stress; a length is expected",
+            "\"2 MPa\"",
+            "a stress; a length is expected",
             "units that fit here: mm",
         ],
     );
@@ -244,7 +245,8 @@ fn asymmetric_halves_are_refused_at_their_key() {
         one_ply,
         &[
             "bad.toml:24:9",
-            "the friction law 'fibre_coverage' of contact 'pin' claims no symmetry about the x axis",
+            "'fibre_coverage' of contact 'pin'",
+            "no symmetry about the x axis",
             "say model = \"auto\" or leave it out",
         ],
     );
@@ -320,7 +322,8 @@ fn radii_that_cannot_touch() {
         "\"2.4 mm\"",
         &[
             "bad.toml:15:25",
-            "the pin (radius 2.4 mm) is too small for the hole (radius 5 mm)",
+            "radius 2.4 mm) is too small",
+            "hole (radius 5 mm)",
             "at least 2.5 mm",
         ],
     );
@@ -329,7 +332,7 @@ fn radii_that_cannot_touch() {
         "shape.disk = { radius = \"6 mm\" }\n[mesh]\nspacing = \"6 deg\"\n[[contacts]]\ninterference = true",
         &[
             "bad.toml:15:25",
-            "overlaps the hole (radius 5 mm) by 1 mm, 20.000 % of the hole's radius",
+            "hole (radius 5 mm) by 1 mm, 20.000 %",
             "at most 5.5 mm",
         ],
     );
@@ -411,8 +414,9 @@ fn bodies_that_are_divided_by_themselves() {
         &divided("spacing = \"4 deg\"", "projection = \"nodes\""),
         &[
             "bad.toml:20:14",
-            "contact 'pin': pairs of nodes need meshes that match, but 61 nodes of plate.hole face 91 of pin.rim",
-            "say projection = \"auto\" or \"dual-mortar\", or divide both bodies alike",
+            "contact 'pin': pairs of nodes",
+            "61 nodes of plate.hole face 91 of pin.rim",
+            "projection = \"auto\" or \"dual-mortar\"",
         ],
     );
     refused(
@@ -420,7 +424,8 @@ fn bodies_that_are_divided_by_themselves() {
         &divided("element = \"Q4\"", "projection = \"nodes\""),
         &[
             "bad.toml:20:14",
-            "the cells along plate.hole are quadratic, those along pin.rim linear",
+            "plate.hole are quadratic",
+            "pin.rim linear",
         ],
     );
     refused(
@@ -428,7 +433,8 @@ fn bodies_that_are_divided_by_themselves() {
         &divided("spacing = \"0.4 mm\"", ""),
         &[
             "bad.toml:16:20",
-            "body 'pin' (disk) is divided by angles, but bodies.pin.mesh.spacing = 0.4 mm is a length",
+            "'pin' (disk) is divided by angles",
+            "bodies.pin.mesh.spacing = 0.4 mm is a length",
             "spacing = \"2 deg\"",
         ],
     );
@@ -437,7 +443,8 @@ fn bodies_that_are_divided_by_themselves() {
         &divided("angles = [\"0 deg\", \"100 deg\"]", ""),
         &[
             "bad.toml:16:19",
-            "a half model needs angles from 0 to 180 deg; the last one is 100.000000 deg",
+            "from 0 to 180 deg",
+            "the last one is 100.000000 deg",
         ],
     );
     refused(

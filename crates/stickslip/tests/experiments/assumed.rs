@@ -22,7 +22,8 @@ fn a_noise_factor_that_no_fit_gives_is_called_assumed() {
     check(
         own["noise_factor_assumed"].as_str().unwrap(),
         &[
-            "the data do not determine the displacement of the region's node at (",
+            "the data do not determine",
+            "the region's node at (",
             "mm), θ = ",
         ],
     );
@@ -51,9 +52,10 @@ fn nodes_that_data_do_not_cover_are_named_with_unit_and_angle() {
     check(
         &error,
         &[
-            "nodes are not covered by the data: U at (",
+            "not covered by the data: U at (",
             " mm), θ = ",
-            "in a gap of the data, a triangle with a side of",
+            "in a gap of the data",
+            "a side of",
         ],
     );
 }
@@ -80,8 +82,5 @@ fn a_comparison_that_the_data_do_not_give_is_reported() {
         &["U is valid at", "24 are needed around each node"],
     );
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
-    check(
-        &page,
-        &["no direct interpolation to compare with: U is valid at"],
-    );
+    check(&page, &["no direct interpolation", "U is valid at"]);
 }

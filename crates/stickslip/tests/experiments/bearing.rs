@@ -93,7 +93,7 @@ fn a_bearing_point_that_the_force_contradicts_is_reported() {
     );
     let words = summary["warnings"].to_string();
     let parts = [
-        "State 'up': the force on the edge in sight points to",
+        "State 'up': the force on the edge",
         "stated by identify.bearing",
         "bearing = \\\"90 deg\\\"",
     ];
@@ -147,7 +147,7 @@ fn a_force_of_another_size_than_the_load_is_reported() {
     let text = page();
     assert!(
         text.contains("not checked, for the load is zero")
-            && text.contains("A state whose load is not that of its null field")
+            && text.contains("is not that of its null field")
             && !text.contains("State load"),
         "{text}"
     );

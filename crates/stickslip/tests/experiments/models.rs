@@ -26,7 +26,7 @@ fn a_model_under_other_loads_is_refused_at_its_line() {
         let error = fails(path, &["check", "e.toml"]);
         for part in [
             part,
-            "the model is not loaded as the scene",
+            "is not loaded as the scene",
             "e.toml:5",
             "model_overrides",
             "leave its loads alone",

@@ -44,18 +44,13 @@ fn what_is_seen_is_what_the_scene_recovers() {
     let u = pair.displacements(&states[6]);
     assert_eq!((u[0], u[1]), (u[2], -u[3]));
     let outside = condensed.view(&[[1.0, 1.0]]).unwrap_err();
-    assert_eq!(
-        outside.to_string(),
-        "the place (1, 1) mm is not in the specimen"
-    );
+    assert!(outside.to_string().contains("(1, 1) mm is not in"));
     let elsewhere = ContactModel::new(&stickslip::experiment::SpecimenScene {
         edge: "left".to_owned(),
         ..own
     });
-    assert_eq!(
-        elsewhere.unwrap_err().to_string(),
-        "no contact of the scene is at 'plate.left', so no friction law acts there"
-    );
+    let words = elsewhere.unwrap_err().to_string();
+    assert!(words.starts_with("no contact of the scene is at 'plate.left'"));
 }
 
 /// A law of one ply, its angle in radians.

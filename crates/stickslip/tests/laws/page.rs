@@ -186,10 +186,9 @@ fn a_state_that_is_no_load_step_is_reported_and_left_out() {
             if Some(load) == state.load && direction == state.direction
     ));
     let load = experiment.display.force.show(state.load.unwrap());
-    assert_eq!(
-        left_out.to_string(),
-        format!(
-            "State 'down' is not among the data of the laws: no load step of the scene has {load} in unloading."
-        )
+    let words = left_out.to_string();
+    assert!(
+        words.starts_with("State 'down' ") && words.contains(&format!("has {load} in unloading")),
+        "{words}"
     );
 }

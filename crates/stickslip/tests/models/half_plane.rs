@@ -212,11 +212,11 @@ fn what_is_no_half_plane_is_refused() {
         ),
         (
             vec!["bodies.flat.model=elements"],
-            "is to be of elements, and a half-plane touches half-planes",
+            "a half-plane touches half-planes",
         ),
         (
             vec!["contacts.0.projection=mortar"],
-            "tied by pairs of nodes; leave projection out",
+            "pairs of nodes; leave projection out",
         ),
         (vec!["contacts.0.gap=faceted"], "have no facets"),
         (
@@ -249,7 +249,7 @@ fn what_is_no_half_plane_is_refused() {
                 "loads.1.force.direction=[0, -1]",
                 "analysis.model=whole",
             ],
-            "is held along x, and so is its partner",
+            "along x, and so is its partner",
         ),
     ] {
         let found = refused(&changes);

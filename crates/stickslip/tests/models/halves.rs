@@ -134,10 +134,9 @@ fn why(model: &Model) -> (&str, &str) {
 fn a_platen_on_one_side_needs_the_whole() {
     let model_with = |platen: &str| model(BUSHING, &[&format!("platens.0={platen}")]);
     let top = model_with("{ on = \"plate.top\", free = [\"x\"] }");
-    assert_eq!(
-        why(&top),
-        ("whole", "the platen on plate.top has no mirror image")
-    );
+    let (value, reason) = why(&top);
+    assert_eq!(value, "whole");
+    assert!(reason.contains("plate.top has no mirror image"), "{reason}");
     let left = model_with("{ on = \"plate.left\", free = [\"x\"] }");
     assert_eq!(why(&left).0, "half");
 }
@@ -179,9 +178,11 @@ fn a_law_without_mirror_symmetry_needs_the_whole() {
     assert!((mirrored / pressure - 1.0).abs() < 1e-8, "{mirrored}");
     assert!((there + at).abs() < 1e-9, "{there}");
     let auto = model(PIN, &[]);
-    let reason =
-        "the friction law 'fibre_coverage' of contact 'pin' claims no symmetry about the x axis";
-    assert_eq!(why(&auto), ("whole", reason));
+    let (value, reason) = why(&auto);
+    assert_eq!(value, "whole");
+    for part in ["'fibre_coverage' of contact 'pin'", "no symmetry"] {
+        assert!(reason.contains(part), "{part}: {reason}");
+    }
     let refused = Model::build(&scene(PIN, &["analysis.model=half"])).unwrap_err();
     assert!(matches!(refused, ModelError::NotSymmetric(_)));
     let words = refused.to_string();
@@ -194,13 +195,9 @@ fn a_law_without_mirror_symmetry_needs_the_whole() {
 #[test]
 fn balanced_plies_keep_the_half() {
     let half = model(PIN, &[BALANCED]);
-    assert_eq!(
-        why(&half),
-        (
-            "half",
-            "geometry, materials, friction laws, supports and loads are symmetric"
-        )
-    );
+    let (value, reason) = why(&half);
+    assert_eq!(value, "half");
+    assert!(reason.contains("friction laws, supports and loads"));
     halves_agree(PIN, &[BALANCED]);
 }
 

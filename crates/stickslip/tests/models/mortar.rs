@@ -268,9 +268,10 @@ fn the_choice_is_said_with_its_reason() {
             "mesh.spacing=45 deg",
         ],
     );
-    assert_eq!(
-        discretisation(&shifted)[1],
-        "nodes of plate.hole and pin.rim lie up to 5.000° apart"
+    let reason = &discretisation(&shifted)[1];
+    assert!(
+        reason.contains("pin.rim lie up to 5.000° apart"),
+        "{reason}"
     );
     // Cells of another kind on the same nodes still match.
     let kinds = model(PIN, &["bodies.pin.mesh.element=Q9"]);

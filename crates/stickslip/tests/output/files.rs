@@ -306,17 +306,14 @@ fn results_that_do_not_fit_together_are_refused_and_leave_nothing() {
     let folder = ResultFolder::create(&path, Overwrite::Refuse).unwrap();
     let error = keep::results(&results, folder, true).unwrap_err();
     assert!(matches!(
-        error,
+        &error,
         KeepError::Results(OutputError::Inconsistent {
             found: 36,
             expected: 37,
             ..
         })
     ));
-    assert_eq!(
-        error.to_string(),
-        "the results do not fit together: step 2, edge 'pin': rows has 36 entries, expected 37"
-    );
+    assert!(error.to_string().contains("step 2, edge 'pin': rows"));
     assert!(names(place.path()).is_empty());
 
     let mut results = super::fixture::results();

@@ -297,27 +297,41 @@ fn sentences_hold_steps_parts_and_display_units() {
         .map(|finding| sentence(finding, units))
         .collect();
     words.extend(of_a_joint().map(|finding| joint_sentence(&finding, units)));
-    let begin = |part: &str| words.iter().filter(|words| words.starts_with(part)).count();
-    for part in [
-        "The answer is not unique in load steps 2–4, 7: up to 3 contact points stick",
-        "More than the first solver was needed in load steps 2–4, 7: status iteration: cycled (×2). In the first cycle the statuses of 5 points repeated with period 2.",
-        "Friction of up to 0.900 is near 1.000, the estimate of the coefficient of friction up to which load step 3 ",
-        "The increment was cut back in load steps 2–4, 7. Smaller increments give the same tractions. Slip counts from the increment in which a point closes: in 8 equal increments CSLIP1 of load step 7 changes by up to 1.2 % of its largest, the work of friction by 50 %.",
-        "The answer depends on the number of increments in load steps 2–4, 7: with four times as many where the load path begins or turns, tractions of load step 7 change by up to 8.0 % of the largest pressure, the work of friction by 25 %",
-        "Whether friction depends on the number of increments was not checked in load step 1:",
-        "Whether another solver finds another answer is not known where friction, cut-back or loose contact allow one: load steps 2–4, 7 would take more work than comparisons of a history may, 2e9 operations; the other solver did not solve load step 1.",
-        "Forces balance to 2.8e-7 of the load only in load steps 2–4, 7, where 1e-8 is usual:",
+    // Sentences, to see how their parts join.
+    for start in [
+        "Contact 'pin': 'plate' is 1 in thick and 'pin' 2 in.",
         "Body 'pin' can slide freely: its translation and CSLIP1 on 'a', 'b' and 'c' are not unique.",
         "Body 'plate' yields: in load step 4 its von Mises stress of 200 psi exceeds the yield stress of 150 psi at x = 1 in, y = 0 in; it does so in load steps 3–4.",
-        "Contact 'pin': 'plate' is 1 in thick and 'pin' 2 in.",
-        "No error is stated for the peak pressure and the peak tangential stress of contact 'pin' in load steps 2, 5: friction jumps",
-        "A corner presses at s = 1 in of contact 'pin' in load steps 2, 5:",
-        "Contact 'pin' ends at x = -1 in in load step 2, beyond the fine part of its mesh, which ends at ±0.5 in:",
-        "The bearing point of contact 'pin' moves: it is at θ = −28.6° in load step 2 and at θ = 180.0° in load step 3, where the contact force is largest. Angles φ are counted from the latter;",
-        "crack_band.fibre_tension has no effect on this mesh: it lowers strengths in rows of points wider than 1 in, that is in cells larger than 2 in; the largest cell has 0.5 in.",
-        "Plies of 'a', 'b' do not fail here: one body is followed.",
     ] {
-        assert_eq!(begin(part), 1, "{part} in {words:#?}");
+        let own = words.iter().filter(|own| own.starts_with(start));
+        assert_eq!(own.count(), 1, "{start} in {words:#?}");
+    }
+    // Of others the beginning, and the parts that hold numbers and names.
+    let others = "\
+The answer is not unique … load steps 2–4, 7: up to 3 contact points
+More than the first solver … load steps 2–4, 7: status iteration: cycled (×2) … 5 points repeated with period 2
+Friction of up to 0.900 is near 1.000 … up to which load step 3
+The increment was cut back in … load steps 2–4, 7. … 8 equal increments CSLIP1 of load step 7 … 1.2 % of … friction by 50 %
+The answer depends on the number of … load steps 2–4, 7: with four times … load step 7 … 8.0 % of the largest … friction by 25 %
+Whether friction depends on the number … not checked in load step 1:
+Whether another solver finds another … load steps 2–4, 7 would take … 2e9 operations … did not solve load step 1.
+Forces balance to 2.8e-7 of the load … load steps 2–4, 7, where 1e-8 is usual:
+No error is stated for the peak … pressure and the peak tangential stress of contact 'pin' … load steps 2, 5: friction jumps
+A corner presses at s = 1 in … of contact 'pin' in load steps 2, 5:
+Contact 'pin' ends at x = -1 in … in load step 2, … ends at ±0.5 in:
+The bearing point of contact 'pin' moves … θ = −28.6° in load step 2 … θ = 180.0° in load step 3 … counted from the latter;
+crack_band.fibre_tension has no effect … wider than 1 in, … larger than 2 in; … has 0.5 in.
+Plies of 'a', 'b' do not fail … one body is followed.";
+    for line in others.lines() {
+        let (start, parts) = line.split_once(" … ").unwrap();
+        let is_it = |own: &&String| {
+            own.starts_with(start) && parts.split(" … ").all(|part| own.contains(part))
+        };
+        assert_eq!(
+            words.iter().filter(is_it).count(),
+            1,
+            "{line} in {words:#?}"
+        );
     }
 }
 

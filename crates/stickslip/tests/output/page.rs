@@ -16,7 +16,8 @@ fn the_page_holds_everything_and_escapes_it() {
     let parts = [
         "plate.toml",
         "4 load steps",
-        "The answer is not unique in load step 3: up to 1 contact points stick",
+        "answer is not unique in load step 3",
+        "up to 1 contact points stick",
         "Bearing stress σ_b",
         "Load steps",
         "all is symmetric",
@@ -98,7 +99,7 @@ fn bodies_are_shown_whole_with_their_stresses_and_both_sides_of_a_contact() {
         "The whole of &#x27;plate&#x27;",
         "A red line is the yield stress.",
         "a window, beyond which the body goes on",
-        "Largest stresses of the bodies, without a yield stress in load step 3 alone",
+        "without a yield stress in load step 3 alone",
         "<td class=\"number\">14000</td>",
         "<td class=\"number\">−2000</td>",
         "@page { size: A4;",
@@ -117,9 +118,5 @@ fn captions_say_the_numbers() {
     // 4000 N on 20 mm × 2 mm: σ_b = 100 MPa = 14504 psi.
     assert!(page.contains("Contact reaches to ±75°; it sticks within ±40°."));
     assert!(page.contains("The largest pressure is 14504 psi (1.00 σ_b) at φ = 0°."));
-    assert!(
-        page.contains(
-            "3 steps of rising load (blue, solid) and 1 of falling load (orange, dashed)"
-        )
-    );
+    assert!(page.contains("3 steps of rising load") && page.contains("1 of falling load"));
 }

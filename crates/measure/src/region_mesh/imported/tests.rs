@@ -125,8 +125,9 @@ fn cells_of_other_kinds_are_refused_by_kind_and_count() {
         panic!("cubic triangles and tetrahedra are not read");
     };
     assert_eq!(key, "region.mesh");
-    let counts = "1 of Gmsh's kind Tet4, 2 of Gmsh's kind Tri10";
-    assert!(what.contains(counts), "{what}");
+    for count in ["1 of Gmsh's kind Tet4", "2 of Gmsh's kind Tri10"] {
+        assert!(what.contains(count), "{what}");
+    }
 }
 
 #[test]
