@@ -1,5 +1,6 @@
 //! Why a stage of an experiment fails.
 
+mod laws;
 mod messages;
 mod whole;
 
@@ -11,11 +12,11 @@ use stickslip_hybrid::reduce::ReduceError;
 use stickslip_hybrid::region::RegionError;
 use thiserror::Error;
 
-use super::laws::LawsError;
 use stickslip_engine::run::RunError;
 use stickslip_experiment::Experiment;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 
+pub use laws::LawsError;
 pub(super) use messages::{at, of_reduction, of_region};
 pub use whole::WholeError;
 
