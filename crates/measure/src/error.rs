@@ -15,6 +15,7 @@ use thiserror::Error;
 use stickslip_engine::run::RunError;
 use stickslip_experiment::Experiment;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
+use stickslip_scene::limits::TooLittleMemory;
 
 pub use laws::LawsError;
 pub(super) use messages::{at, of_reduction, of_region};
@@ -48,14 +49,15 @@ pub enum ExperimentError {
         cause: String,
     },
     /// What there is too little memory for.
-    #[error("{what}: {message}")]
+    #[error("{what}: {cause}")]
     Memory {
         /// Key that asks for it.
         key: String,
         /// What it is.
         what: String,
         /// The memory that it would take and the memory that there is.
-        message: String,
+        #[source]
+        cause: TooLittleMemory,
     },
     /// Measured data that cannot be read or combined.
     #[error("state '{state}': {cause}")]
