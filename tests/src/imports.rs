@@ -9,7 +9,8 @@
 //!
 //! A circle is a set of two or more files each of which reaches all others by imports (a strongly connected component). What a
 //! child takes from a module above it (`super::Mesh`) makes no circle between subjects: the child is a part of that module. If the
-//! module also uses the child, the two are a circle within a family, which is counted apart.
+//! module also uses the child, the two are a circle within a family, which is counted apart. Top-level modules are looked at as wholes
+//! too: two of them are a circle if a file of either imports one of the other, though no two files do.
 
 mod names;
 mod read;
@@ -107,6 +108,21 @@ impl Imports {
         }
     }
 
+    /// The imports between the top-level modules, each with all files below it.
+    #[must_use]
+    pub fn between_modules(&self) -> Self {
+        let mut between = Self::default();
+        for ((from, to), edge) in &self.edges {
+            let (from, to) = (module_of(from), module_of(to));
+            if from != to {
+                let joined = between.edges.entry((from, to)).or_default();
+                joined.names.extend(edge.names.iter().cloned());
+                joined.upward = edge.upward;
+            }
+        }
+        between
+    }
+
     /// Finds the circles of the imports that are `counted`: sets of files in the order of their names.
     pub fn circles(&self, counted: Counted) -> Vec<Vec<String>> {
         let mut imported: BTreeMap<&String, Vec<&String>> = BTreeMap::new();
@@ -152,6 +168,12 @@ impl Imports {
     }
 }
 
+/// The top-level module that a file belongs to.
+fn module_of(file: &str) -> String {
+    let name = file.split('/').next().unwrap_or(file);
+    name.trim_end_matches(".rs").to_owned()
+}
+
 /// The files that `file` imports, those that these import, and so on.
 fn reached_from<'a>(
     file: &'a String,
@@ -170,20 +192,21 @@ fn reached_from<'a>(
 mod tests {
     use super::{Counted, Imports};
 
-    /// The circles of a crate of small files, each as its names joined by spaces.
-    fn all(counted: Counted, files: &[(&str, &str)]) -> Vec<String> {
+    fn read(files: &[(&str, &str)]) -> Imports {
         let files = files
             .iter()
             .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()));
         Imports::of_texts(files)
-            .circles(counted)
-            .iter()
-            .map(|circle| circle.join(" "))
-            .collect()
+    }
+
+    /// The circles, each as its names joined by spaces.
+    fn all(counted: Counted, imports: &Imports) -> Vec<String> {
+        let circles = imports.circles(counted);
+        circles.iter().map(|circle| circle.join(" ")).collect()
     }
 
     fn circles(files: &[(&str, &str)]) -> Vec<String> {
-        all(Counted::BetweenSubjects, files)
+        all(Counted::BetweenSubjects, &read(files))
     }
 
     #[test]
@@ -231,7 +254,7 @@ mod tests {
         let families = |parent: &str| {
             let files = [root, ("a.rs", parent), child];
             assert!(circles(&files).is_empty(), "{parent}");
-            all(Counted::WithFamilies, &files)
+            all(Counted::WithFamilies, &read(&files))
         };
         assert!(families("mod b; pub use b::{B, f as g}; pub struct A;").is_empty());
         assert_eq!(families("mod b; use b::B; pub struct A;"), ["a.rs a/b.rs"]);
@@ -276,17 +299,29 @@ mod tests {
     }
 
     #[test]
+    fn modules_are_a_circle_without_one_of_their_files() {
+        let root = ("lib.rs", "mod a; mod b; pub const C: i32 = 1;");
+        let files = [
+            root,
+            ("a.rs", "mod d; pub struct A;"),
+            ("a/d.rs", "use crate::{C, b::B}; pub struct D(B);"),
+            ("b.rs", "mod e; pub struct B;"),
+            ("b/e.rs", "use crate::a::A; pub struct E(A);"),
+        ];
+        let between = |files| all(Counted::BetweenSubjects, &read(files).between_modules());
+        assert!(circles(&files).is_empty());
+        assert_eq!(between(&files), ["a b"]);
+        assert!(between(&files[..4]).is_empty());
+    }
+
+    #[test]
     fn ties_show_the_names() {
         let files = [
             ("a.rs", "use crate::b::B; pub struct A;"),
             ("b.rs", "use crate::a::A; pub struct B;"),
             ("lib.rs", "mod a; mod b;"),
         ];
-        let imports = Imports::of_texts(
-            files
-                .map(|(name, text)| (name.to_owned(), text.to_owned()))
-                .into_iter(),
-        );
+        let imports = read(&files);
         let ties = imports.ties(
             &imports.circles(Counted::WithFamilies)[0],
             Counted::WithFamilies,

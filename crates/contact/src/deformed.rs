@@ -85,7 +85,7 @@ use crate::interface::Group;
 use crate::problem::{ContactPair, Contacts, InterfaceProblem};
 use crate::state::ContactState;
 
-pub use curve::{Curve, CurveEnds, CurveShape};
+pub use curve::{Curve, CurveEnds, CurveError, CurveShape};
 pub use geometry::is_free_to_turn;
 pub(crate) use geometry::{Geometry, Unfaced};
 

@@ -17,6 +17,7 @@
 //! | [`interface`] | all contacts, in independent parts |
 //! | [`state`] | what is known at the end of a step |
 //! | [`solver`] | the family of one-step solvers and their fallback chain |
+//! | [`contract`] | what every solver must fulfil, as a check |
 //! | [`history`] | load steps, sub-steps, cut-back, dissipation |
 //! | [`thinned`] | load steps on some of the contact nodes |
 //! | [`uniqueness`] | an estimate of the friction coefficient up to which a step has one solution |
@@ -70,6 +71,7 @@
 //! body; λ_n ≥ 0 presses; Δs is the motion of the first body against the second along e_t.
 
 pub mod audit;
+pub mod contract;
 pub mod deformed;
 mod error;
 mod failure;

@@ -31,7 +31,6 @@ mod candidate;
 mod chain;
 mod complementarity;
 mod continuation;
-pub mod contract;
 mod enumeration;
 mod frozen;
 mod gauss_seidel;
@@ -113,7 +112,7 @@ pub struct SolverInfo {
     /// What it is, in one line.
     pub summary: &'static str,
     /// Whether its answers may be regularised, of a looser tolerance, or limited to few points: for studies of methods. Answers of others
-    /// are verified, as [`contract::check_listed`] tests.
+    /// are verified, as [`contract::check_listed`](crate::contract::check_listed) tests.
     pub experimental: bool,
     /// Whether it works on problems whose compliance is held in blocks too.
     pub on_blocks: bool,

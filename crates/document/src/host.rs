@@ -141,10 +141,10 @@ impl Host {
         let factor = content.bytes_per_byte();
         let refused = |bytes: u64| {
             let outcome = self.limits.check(factor as f64 * bytes as f64);
-            outcome.map_err(|message| {
+            outcome.map_err(|cause| {
                 io::Error::new(
                     ErrorKind::FileTooLarge,
-                    format!("it has {}: {message}", amount(bytes as f64)),
+                    format!("it has {}: {cause}", amount(bytes as f64)),
                 )
             })
         };

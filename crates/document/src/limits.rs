@@ -3,6 +3,18 @@
 //! Readers and the model builder count what they would need before they allocate it, and refuse what is more than [`Limits`] allow.
 //! The caller states how much memory is available.
 
+use thiserror::Error;
+
+/// What would take more memory than there is.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[error("it would take about {} of memory, and {} are free", amount(*needed), amount(*free as f64))]
+pub struct TooLittleMemory {
+    /// Memory that it would take `[byte]`.
+    pub needed: f64,
+    /// Memory that there is `[byte]`.
+    pub free: u64,
+}
+
 /// What reading a file and modelling its content may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
@@ -49,23 +61,28 @@ impl Limits {
     /// Refuses what would take `bytes` `[byte]`.
     ///
     /// # Errors
-    /// The two amounts as text.
-    pub fn check(self, bytes: f64) -> Result<(), String> {
+    /// [`TooLittleMemory`] with the two amounts.
+    pub fn check(self, bytes: f64) -> Result<(), TooLittleMemory> {
         if bytes <= self.memory as f64 {
-            return Ok(());
+            Ok(())
+        } else {
+            Err(self.exceeded_by(bytes))
         }
-        Err(format!(
-            "it would take about {} of memory, and {} are free",
-            amount(bytes),
-            amount(self.memory as f64)
-        ))
+    }
+
+    /// That something would take `bytes` `[byte]`, which are known to be too many.
+    pub fn exceeded_by(self, bytes: f64) -> TooLittleMemory {
+        TooLittleMemory {
+            needed: bytes,
+            free: self.memory,
+        }
     }
 
     /// Refuses pictures of more `pixels` `[px]` than there is memory for.
     ///
     /// # Errors
-    /// The two amounts as text.
-    pub fn check_pixels(self, pixels: f64) -> Result<(), String> {
+    /// [`TooLittleMemory`] with the two amounts.
+    pub fn check_pixels(self, pixels: f64) -> Result<(), TooLittleMemory> {
         /// What a pixel takes at most on the way from its file to its phase and its part of a figure \[byte\]; 125 were measured.
         const BYTES_PER_PIXEL: f64 = 200.0;
         self.check(pixels * BYTES_PER_PIXEL)

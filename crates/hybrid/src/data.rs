@@ -15,6 +15,7 @@
 //! | digitised fringe centres along lines | [`FringeLines::read`] with a [`LineReading`] |
 //! | a finite rotation of the specimen taken off | [`Measurement::rotation`], [`Measurement::turned_back`] |
 //! | the initial load taken off | [`Measurement::minus`], [`FringeLines::minus`] |
+//! | slopes between neighbouring centres | [`FringeLine::slopes`] |
 //! | front against back | [`FringeLine::symmetry`] |
 
 mod centres;
@@ -26,11 +27,13 @@ mod null;
 mod outliers;
 mod read;
 mod rotation;
+mod slope;
 mod table;
 mod track;
 
 use stickslip_fem_core::mesh::Point;
 
+pub use crate::triangles::TriangulationError;
 pub use error::DataError;
 pub use field::Field;
 pub(crate) use field::letter;
@@ -40,6 +43,7 @@ pub use null::{Difference, NullField, Symmetry};
 pub use outliers::Outlier;
 pub use read::{Rows, Unit};
 pub use rotation::Rotation;
+pub use slope::Slope;
 pub use track::{FringeLine, Located, Step, Track};
 
 /// Displacements measured at scattered places.

@@ -69,9 +69,11 @@ pub mod fringe;
 pub mod identify;
 mod least_squares;
 pub mod moire;
+mod neighbours;
 mod order_statistics;
 mod random;
 pub mod reduce;
 pub mod region;
+mod triangles;
 
 pub use stickslip_fem_core as fem_core;

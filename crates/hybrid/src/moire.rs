@@ -16,8 +16,6 @@
 
 use thiserror::Error;
 
-use crate::data::FringeLine;
-
 /// Why a grating cannot be.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
@@ -118,27 +116,4 @@ impl Grating {
         let [[xx, xy], [yx, yy]] = gradients;
         [xx, yy, xy + yx].map(|gradient| gradient / self.frequency)
     }
-
-    /// Computes the slope `[1]` of the displacement along a line, (1/f) ΔN/Δs (Post & Reddy 1988, part I, Eqs 3–5), one value per step
-    /// between neighbouring fringe centres.
-    ///
-    /// Along a line in x the slope of the U field is ε_x, along one in y that of the V field is ε_y; the other two slopes sum to
-    /// γ_xy. The distance Δs is that along the line (an arc on a circle), and the value is second-order accurate at its place.
-    pub fn slopes(&self, line: &FringeLine) -> Vec<Slope> {
-        line.steps()
-            .map(|step| Slope {
-                place: step.middle,
-                value: (step.orders[1] - step.orders[0]) / (self.frequency * step.length),
-            })
-            .collect()
-    }
-}
-
-/// Slope of a displacement along a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slope {
-    /// Middle between two fringe centres `[length]`.
-    pub place: [f64; 2],
-    /// Derivative of the displacement along the line `[1]`.
-    pub value: f64,
 }

@@ -39,9 +39,7 @@
 mod cover;
 mod error;
 mod fit;
-pub(crate) mod neighbours;
 mod polynomial;
-pub(crate) mod triangles;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::parallel;
@@ -52,8 +50,8 @@ pub use polynomial::LocalPolynomial;
 
 use crate::data::{Field, FringeLine, FringeLines, Measurement, NodalDisplacements};
 use crate::moire::Grating;
-use neighbours::Neighbours;
-use triangles::Triangles;
+use crate::neighbours::Neighbours;
+use crate::triangles::Triangles;
 
 /// Data that make one displacement, and their weights.
 type Stencil = Vec<(usize, f64)>;
@@ -103,7 +101,10 @@ impl Reduction {
             .map(|own| longest_side.unwrap_or_else(|| GAP * own.typical_side()));
         let found = nodes
             .iter()
-            .map(|&node| [0, 1].map(|c| meshes[c].weights(places[node], longest[c])))
+            .map(|&node| {
+                let at = |c: usize| meshes[c].weights(places[node], longest[c]);
+                [0, 1].map(|c| at(c).map_err(Reason::from))
+            })
             .collect();
         Ok(Self::new(
             places,

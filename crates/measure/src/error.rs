@@ -1,5 +1,6 @@
 //! Why a stage of an experiment fails.
 
+mod laws;
 mod messages;
 mod whole;
 
@@ -11,11 +12,12 @@ use stickslip_hybrid::reduce::ReduceError;
 use stickslip_hybrid::region::RegionError;
 use thiserror::Error;
 
-use super::laws::LawsError;
 use stickslip_engine::run::RunError;
 use stickslip_experiment::Experiment;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
+use stickslip_scene::limits::TooLittleMemory;
 
+pub use laws::LawsError;
 pub(super) use messages::{at, of_reduction, of_region};
 pub use whole::WholeError;
 
@@ -47,14 +49,15 @@ pub enum ExperimentError {
         cause: String,
     },
     /// What there is too little memory for.
-    #[error("{what}: {message}")]
+    #[error("{what}: {cause}")]
     Memory {
         /// Key that asks for it.
         key: String,
         /// What it is.
         what: String,
         /// The memory that it would take and the memory that there is.
-        message: String,
+        #[source]
+        cause: TooLittleMemory,
     },
     /// Measured data that cannot be read or combined.
     #[error("state '{state}': {cause}")]

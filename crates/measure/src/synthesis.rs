@@ -105,14 +105,14 @@ impl<'a> Camera<'a> {
         let pixels = frame.columns() as f64 * frame.rows() as f64;
         let limits = experiment.limits();
         let fits = limits.check_pixels(pixels * pictures);
-        fits.map_err(|message| ExperimentError::Memory {
+        fits.map_err(|cause| ExperimentError::Memory {
             key: "fringes.pixel".to_owned(),
             what: format!(
                 "synthetic pictures have {} x {} pixels",
                 frame.columns(),
                 frame.rows()
             ),
-            message,
+            cause,
         })?;
         let places: Vec<_> = (0..frame.pixels())
             .map(|pixel| frame.place(pixel))

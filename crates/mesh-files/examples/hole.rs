@@ -3,6 +3,7 @@
 //! Run with `cargo run --release -p stickslip-mesh-files --example hole`.
 
 use std::error::Error;
+use std::io;
 
 use stickslip_fem_core::generate::{
     Extent, Generate, Growth, Outline, PlateWithHole, uniform_angles,
@@ -23,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let text = write_msh(&plate.generate()?)?;
     let file = read(&text, Format::Gmsh, &|name| {
-        Err(format!("no file '{name}'"))
+        Err(io::Error::other(format!("no file '{name}'")))
     })?;
     let hole = recognise_set(&file.parts, "hole")?;
     let Curve::Arc { radius, .. } = hole.curve else {

@@ -14,6 +14,7 @@ mod resolve;
 mod types;
 
 use std::collections::BTreeMap;
+use std::io;
 
 use crate::assemble::{Rules, assemble};
 use crate::error::ReadError;
@@ -33,7 +34,7 @@ const DEEPEST: usize = 32;
 /// How many files may be included.
 const MOST_FILES: usize = 10_000;
 
-type Includes<'a> = &'a dyn Fn(&str) -> Result<String, String>;
+type Includes<'a> = &'a dyn Fn(&str) -> io::Result<String>;
 
 /// A file while it is read.
 struct Reader<'a> {
@@ -211,7 +212,7 @@ impl Reader<'_> {
         if self.depth >= DEEPEST || self.raw.files.len() >= MOST_FILES {
             return Err(failed("files include each other too often".to_owned()));
         }
-        let text = (self.includes)(name).map_err(failed)?;
+        let text = (self.includes)(name).map_err(|cause| failed(cause.to_string()))?;
         let file = self.raw.files.add(name);
         self.depth += 1;
         self.text(&text, file)?;

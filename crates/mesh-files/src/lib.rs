@@ -53,6 +53,8 @@ mod subset;
 mod vtu;
 mod write;
 
+use std::io;
+
 /// The crate of the meshes.
 pub use stickslip_fem_core;
 
@@ -106,7 +108,7 @@ impl Format {
 pub fn read(
     text: &str,
     format: Format,
-    includes: &dyn Fn(&str) -> Result<String, String>,
+    includes: &dyn Fn(&str) -> io::Result<String>,
 ) -> Result<Imported, ReadError> {
     read_with(text, format, includes, Coincident::Refuse)
 }
@@ -118,7 +120,7 @@ pub fn read(
 pub fn read_with(
     text: &str,
     format: Format,
-    includes: &dyn Fn(&str) -> Result<String, String>,
+    includes: &dyn Fn(&str) -> io::Result<String>,
     coincident: Coincident,
 ) -> Result<Imported, ReadError> {
     match format {

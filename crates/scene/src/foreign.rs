@@ -1,5 +1,6 @@
 //! Files of other programs where a scene is expected, and scenes that name them.
 
+use std::error::Error;
 use std::path::Path;
 
 use stickslip_mesh_files::{Coincident, Foreign, Format, Imported, read_with};
@@ -52,13 +53,8 @@ pub(crate) fn problem(path: &Path, foreign: Foreign, host: Host) -> SceneProblem
 }
 
 /// The mesh of a file, otherwise why there is none.
-fn imported(path: &Path, format: Format, host: Host) -> Result<Imported, String> {
-    let text = host.read_text(path, Content::Table);
-    let text = text.map_err(|cause| cause.to_string())?;
-    let include = |name: &str| {
-        let text = host.read_included(path, name, Content::Table);
-        text.map_err(|cause| cause.to_string())
-    };
-    let read = read_with(&text, format, &include, Coincident::Allow);
-    read.map_err(|cause| cause.to_string())
+fn imported(path: &Path, format: Format, host: Host) -> Result<Imported, Box<dyn Error>> {
+    let text = host.read_text(path, Content::Table)?;
+    let include = |name: &str| host.read_included(path, name, Content::Table);
+    Ok(read_with(&text, format, &include, Coincident::Allow)?)
 }

@@ -22,7 +22,7 @@ use crate::schema::{
 };
 use crate::{format, material, shape};
 
-pub use self::document::document;
+pub use self::document::{DocumentError, document};
 
 /// Every table of a scene, each before those inside it.
 pub fn tables() -> impl Iterator<Item = Table> {

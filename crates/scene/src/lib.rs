@@ -38,6 +38,7 @@ mod examples;
 mod foreign;
 mod format;
 mod friction;
+mod from_file;
 pub mod keys;
 mod material;
 pub mod open;

@@ -1,7 +1,5 @@
 //! A checked scene.
 
-mod read;
-
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 

@@ -41,7 +41,7 @@ mod store;
 pub mod table;
 mod verdict;
 
-pub use error::SweepError;
+pub use error::{RowError, SweepError};
 pub use minima::{Minimum, minima};
 pub use plan::Sweep;
 pub use verdict::{findings, verdict, warning};

@@ -3,8 +3,34 @@
 use std::f64::consts::TAU;
 
 use stickslip_fem_core::mesh::Point;
+use thiserror::Error;
 
 use super::slopes::slopes;
+
+/// Why nodes make no curve.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CurveError {
+    /// Nodes and parameters differ in number.
+    #[error("{parameters} parameters for {nodes} nodes")]
+    Parameters {
+        /// Number of parameters.
+        parameters: usize,
+        /// Number of nodes.
+        nodes: usize,
+    },
+    /// The nodes do not fill cells.
+    #[error("{nodes} nodes make no cells of order {order}")]
+    Cells {
+        /// Number of nodes.
+        nodes: usize,
+        /// Polynomial order of the cells.
+        order: usize,
+    },
+    /// A parameter is not above the one before it, or beyond the period.
+    #[error("the parameter does not ascend")]
+    NotAscending,
+}
 
 /// An undeformed edge with the nodes at which its displacements are known.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,25 +90,30 @@ impl Curve {
     /// `order`. A closed one begins at a corner node.
     ///
     /// # Errors
-    /// What is wrong, where nodes and parameters differ in number, make no whole cells, or the parameter does not ascend within its period.
+    /// [`CurveError`], where nodes and parameters differ in number, make no whole cells, or the parameter does not ascend within its period.
     pub fn new(
         shape: CurveShape,
         nodes: Vec<usize>,
         parameter: Vec<f64>,
         order: usize,
         ends: CurveEnds,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, CurveError> {
         let count = nodes.len();
         if parameter.len() != count {
-            let parameters = parameter.len();
-            return Err(format!("{parameters} parameters for {count} nodes"));
+            return Err(CurveError::Parameters {
+                parameters: parameter.len(),
+                nodes: count,
+            });
         }
         let cells = match ends {
             CurveEnds::Closed => count,
             CurveEnds::Open { .. } => count.saturating_sub(1),
         };
         if order == 0 || cells == 0 || !cells.is_multiple_of(order) {
-            return Err(format!("{count} nodes make no cells of order {order}"));
+            return Err(CurveError::Cells {
+                nodes: count,
+                order,
+            });
         }
         let end = parameter[0] + TAU;
         let closed = ends == CurveEnds::Closed;
@@ -90,7 +121,7 @@ impl Curve {
         let next = parameter[1..].iter().chain(closing);
         let ascends = |(at, next): (&f64, &f64)| at < next;
         if !parameter.iter().zip(next).all(ascends) {
-            return Err("the parameter does not ascend".to_owned());
+            return Err(CurveError::NotAscending);
         }
         Ok(Self {
             slopes: slopes(&parameter, order, closed, order == 1),
@@ -107,7 +138,7 @@ impl Curve {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub fn standing_at(self, places: Vec<f64>) -> Result<Self, String> {
+    pub fn standing_at(self, places: Vec<f64>) -> Result<Self, CurveError> {
         let own = Self::new(self.shape, self.nodes, places, 1, self.ends)?;
         Ok(Self {
             skew: self.skew,
@@ -121,7 +152,7 @@ impl Curve {
         nodes: Vec<usize>,
         parameter: Vec<f64>,
         places: Vec<f64>,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, CurveError> {
         Self::new(self.shape, nodes, parameter, 1, self.ends)?.standing_at(places)
     }
 
@@ -311,7 +342,7 @@ mod tests {
         .unwrap()
     }
 
-    fn level(parameter: &[f64], order: usize) -> Result<Curve, String> {
+    fn level(parameter: &[f64], order: usize) -> Result<Curve, CurveError> {
         let ends = CurveEnds::Open {
             mirrored: [true, false],
         };

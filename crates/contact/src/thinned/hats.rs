@@ -172,10 +172,10 @@ impl Hats {
                 .map(|hat| hat.place(&facing.first, facing.centre))
                 .collect(),
             centre: facing.centre,
-            second: second.map_err(|what| ContactError::InvalidPair {
+            second: second.map_err(|cause| ContactError::InvalidPair {
                 pair: thinned.name.clone(),
                 point: 0,
-                what,
+                what: cause.to_string(),
             })?,
         })
     }

@@ -1,6 +1,6 @@
 //! The contract of all solvers that are chosen by name, and of those that chains are made of.
 
-use stickslip_contact::solver::contract::{Breach, check, check_experimental, check_listed};
+use stickslip_contact::contract::{Breach, check, check_experimental, check_listed};
 use stickslip_contact::solver::{
     FailureCause, SOLVERS, SolverInfo, SolverKind, Step, StepFailure, StepSolution, Stop, Work,
 };

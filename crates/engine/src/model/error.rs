@@ -5,6 +5,7 @@ use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::generate::GenerateError;
 use stickslip_fem_core::material::MaterialError;
 use stickslip_fem_core::mesh::MeshError;
+use stickslip_scene::limits::TooLittleMemory;
 use thiserror::Error;
 
 /// Why a scene that reads well cannot be modelled.
@@ -26,18 +27,24 @@ pub enum ModelError {
         limit: f64,
     },
     /// A mesh for which there is too little memory.
-    #[error("body '{body}': the mesh would have about {nodes:.3e} nodes: {message}")]
+    #[error(
+        "body '{body}': the mesh would have about {nodes:.3e} nodes: {}{cause}",
+        if *together { "with the other bodies " } else { "" }
+    )]
     TooLittleMemory {
         /// The body.
         body: String,
         /// Number of nodes that the scene asks for `[1]`.
         nodes: f64,
-        /// The memory that it would take and the memory that there is, as text.
-        message: String,
+        /// Whether there is enough for this mesh, and too little for those of all bodies.
+        together: bool,
+        /// The memory that it would take and the memory that there is.
+        #[source]
+        cause: TooLittleMemory,
     },
     /// Contacts that share bodies, with more points than there is memory for.
     #[error(
-        "contact '{contact}' is one of {contacts} that share bodies, with {points} points together: {message}"
+        "contact '{contact}' is one of {contacts} that share bodies, with {points} points together: {cause}"
     )]
     InterfaceTooLarge {
         /// Name of one of the contacts.
@@ -46,16 +53,18 @@ pub enum ModelError {
         contacts: usize,
         /// Number of their points.
         points: usize,
-        /// The memory that all contacts would take and the memory that there is, as text.
-        message: String,
+        /// The memory that all contacts would take and the memory that there is.
+        #[source]
+        cause: TooLittleMemory,
     },
     /// A load history of more steps than there is memory for.
-    #[error("the history has {steps} load steps: {message}")]
+    #[error("the history has {steps} load steps: {cause}")]
     HistoryTooLong {
         /// Number of load steps.
         steps: usize,
-        /// The memory that their results would take and the memory that there is, as text.
-        message: String,
+        /// The memory that their results would take and the memory that there is.
+        #[source]
+        cause: TooLittleMemory,
     },
     /// A mesh generator refused.
     #[error("body '{body}': {cause}")]

@@ -225,8 +225,12 @@ fn refuse(limits: Limits, body: &str, cause: DivisionError) -> ModelError {
         }
         DivisionError::Generate(GenerateError::TooLarge { nodes, .. }) => {
             // The generator has found that this is more than the memory holds.
-            let message = limits.check(nodes as f64 * BYTES_PER_NODE);
-            too_large(body, nodes, message.err().unwrap_or_default())
+            ModelError::TooLittleMemory {
+                body: body.to_owned(),
+                nodes: nodes as f64,
+                together: false,
+                cause: limits.exceeded_by(nodes as f64 * BYTES_PER_NODE),
+            }
         }
         DivisionError::Generate(cause) => ModelError::Generate {
             body: body.to_owned(),
@@ -239,29 +243,20 @@ fn refuse(limits: Limits, body: &str, cause: DivisionError) -> ModelError {
     }
 }
 
-fn too_large(body: &str, nodes: usize, message: String) -> ModelError {
-    ModelError::TooLittleMemory {
-        body: body.to_owned(),
-        nodes: nodes as f64,
-        message,
-    }
-}
-
 /// Refuses meshes that fit into the memory one by one and not together.
 fn check_together(plan: &Plan<'_>, limits: Limits, meshes: &Meshes) -> Result<(), ModelError> {
     let nodes: usize = meshes.values().map(|mesh| mesh.nodes().len()).sum();
     let largest = meshes.iter().max_by_key(|(_, mesh)| mesh.nodes().len());
-    let (Err(message), Some((&body, mesh))) =
-        (limits.check(nodes as f64 * BYTES_PER_NODE), largest)
+    let (Err(cause), Some((&body, mesh))) = (limits.check(nodes as f64 * BYTES_PER_NODE), largest)
     else {
         return Ok(());
     };
-    let message = format!("with the other bodies {message}");
-    Err(too_large(
-        plan.bodies[body].name,
-        mesh.nodes().len(),
-        message,
-    ))
+    Err(ModelError::TooLittleMemory {
+        body: plan.bodies[body].name.to_owned(),
+        nodes: mesh.nodes().len() as f64,
+        together: true,
+        cause,
+    })
 }
 
 fn too_many(body: &str, nodes: f64) -> ModelError {

@@ -35,7 +35,7 @@ pub(super) fn check(limits: Limits, model: &Model) -> Result<(), ModelError> {
     let of_parts: f64 = parts.iter().map(|part| of_part(model, part)).sum();
     let of_bodies: f64 = model.bodies.iter().map(of_body).sum();
     let bytes = NUMBER * (of_parts + of_bodies);
-    if let (Err(message), Some(largest)) = (
+    if let (Err(cause), Some(largest)) = (
         limits.check(bytes),
         parts.iter().max_by_key(|part| points(part)),
     ) {
@@ -46,7 +46,7 @@ pub(super) fn check(limits: Limits, model: &Model) -> Result<(), ModelError> {
             contact: names.first().copied().unwrap_or_default().to_owned(),
             points: points(largest),
             contacts: largest.pairs.len(),
-            message,
+            cause,
         });
     }
     let steps = model.history.steps().len();
@@ -56,7 +56,7 @@ pub(super) fn check(limits: Limits, model: &Model) -> Result<(), ModelError> {
     let bytes = steps as f64 * (BYTES_PER_STEP + places as f64 * BYTES_PER_PLACE);
     limits
         .check(bytes)
-        .map_err(|message| ModelError::HistoryTooLong { steps, message })
+        .map_err(|cause| ModelError::HistoryTooLong { steps, cause })
 }
 
 /// Numbers that a body's condensation leaves for its interface.

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::triangles::TriangulationError;
+
 /// Why measured data cannot be read or combined.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
@@ -320,7 +322,8 @@ pub enum DataError {
         /// Component, 0 for x and 1 for y.
         component: usize,
         /// What is wrong.
-        cause: String,
+        #[source]
+        cause: TriangulationError,
     },
 }
 

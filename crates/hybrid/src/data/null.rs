@@ -5,8 +5,8 @@ use stickslip_fem_core::mesh::Point;
 use super::format::{LENGTH, not_negative, positive};
 use super::{DataError, Field, FringeLine, FringeLines, Measurement, Track};
 use crate::moire::Grating;
-use crate::reduce::neighbours::Neighbours;
-use crate::reduce::triangles::Triangles;
+use crate::neighbours::Neighbours;
+use crate::triangles::Triangles;
 
 /// How the displacements at the initial load are taken to the places of the others.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,8 +18,8 @@ use stickslip_fem_core::parallel;
 
 use super::format::positive;
 use super::{DataError, Field, Measurement};
+use crate::neighbours::Neighbours;
 use crate::order_statistics::{NORMAL_MEDIAN, above, median};
-use crate::reduce::neighbours::Neighbours;
 
 /// Neighbours of a place: on a grid, all within two spacings.
 const NEIGHBOURS: usize = 12;

@@ -5,6 +5,7 @@ use std::fmt;
 use stickslip_fem_core::mesh::Point;
 
 use crate::data::letter;
+use crate::triangles::NoTriangle;
 
 /// A node that the data do not cover.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,6 +71,15 @@ pub enum Reason {
     },
     /// It lies beyond the ends of all fringe lines.
     BeyondLines,
+}
+
+impl From<NoTriangle> for Reason {
+    fn from(cause: NoTriangle) -> Self {
+        match cause {
+            NoTriangle::Outside => Self::Outside,
+            NoTriangle::Gap { side, longest } => Self::Gap { side, longest },
+        }
+    }
 }
 
 impl fmt::Display for Reason {

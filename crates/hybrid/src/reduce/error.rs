@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::Uncovered;
 use crate::data::{DataError, Field, letter};
+use crate::triangles::TriangulationError;
 
 /// How many nodes an error shows as text.
 const SHOWN: usize = 3;
@@ -72,7 +73,8 @@ pub enum ReduceError {
         /// Component, 0 for x and 1 for y.
         component: usize,
         /// Why.
-        cause: String,
+        #[source]
+        cause: TriangulationError,
     },
     /// Fringe lines were given in the wrong order.
     #[error(

@@ -2,9 +2,9 @@
 
 use stickslip_fem_core::mesh::Point;
 
-use super::neighbours::Neighbours;
 use super::{Reason, ReduceError, Stencil, error, fit};
 use crate::data::{Field, Measurement};
+use crate::neighbours::Neighbours;
 
 /// The factor by which the radius of a local fit exceeds the distance of its farthest counted neighbour, so that this one, and all
 /// that are as far, have a weight.

@@ -26,7 +26,7 @@ use self::modes::{Modes, place_of};
 use super::checks::{Points, measured_rows};
 use super::{Region, RegionError};
 use crate::data::{Measurement, NodalDisplacements};
-use crate::reduce::neighbours::Neighbours;
+use crate::neighbours::Neighbours;
 
 /// How much to smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -51,7 +51,7 @@ fn strains_are_derivatives_of_orders() {
                 })
                 .collect();
             let line = FringeLine::new("t", "a", track, &centres, 1e-9).unwrap();
-            grating.slopes(&line).iter().fold(0.0, |worst: f64, slope| {
+            line.slopes(&grating).iter().fold(0.0, |worst: f64, slope| {
                 let [x, y] = slope.place;
                 let s = if track == Track::Straight {
                     x

@@ -94,7 +94,7 @@ fn opened(scope: &Scope<'_>, source: &PictureSource) -> Result<[Vec<Vec<u8>>; 2]
                 size(&bytes).map_err(|cause| failed(scope, field, &own, cause, String::new()))?;
             pixels += size[0] as f64 * size[1] as f64;
             let fits = scope.experiment.limits().check_pixels(pixels);
-            fits.map_err(|message| ExperimentError::Memory {
+            fits.map_err(|cause| ExperimentError::Memory {
                 key: scope.key.clone(),
                 what: format!(
                     "the picture '{}' has {} x {} pixels",
@@ -102,7 +102,7 @@ fn opened(scope: &Scope<'_>, source: &PictureSource) -> Result<[Vec<Vec<u8>>; 2]
                     size[0],
                     size[1]
                 ),
-                message,
+                cause,
             })?;
             files[c].push(bytes);
         }

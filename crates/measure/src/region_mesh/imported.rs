@@ -10,6 +10,7 @@ use mshio::{ElementBlock as Elements, ElementType, MshFile, parse_msh_bytes};
 use stickslip_fem_core::mesh::{
     Curve, EdgeRef, EdgeSet, ElementBlock, ElementKind, Mesh, MeshParts, Point,
 };
+use thiserror::Error;
 
 use crate::error::ExperimentError;
 use stickslip_engine::model::BYTES_PER_NODE;
@@ -63,14 +64,14 @@ pub(super) fn mesh(
     }
     let file = parse_msh_bytes(&bytes).map_err(|_| other())?;
     check_kinds(&file)?;
-    let parts = parts(&file, plan.scale).map_err(unreadable)?;
+    let parts = parts(&file, plan.scale).map_err(|cause| unreadable(cause.to_string()))?;
     let memory = parts.nodes.len() as f64 * BYTES_PER_NODE;
     host.limits
         .check(memory)
-        .map_err(|message| ExperimentError::Memory {
+        .map_err(|cause| ExperimentError::Memory {
             key: "region.mesh.file".to_owned(),
             what: format!("the mesh has {} nodes", parts.nodes.len()),
-            message,
+            cause,
         })?;
     if parts.blocks.is_empty() {
         return Err(ExperimentError::missing(
@@ -167,8 +168,16 @@ fn check_kinds(file: &MshFile<u64, i32, f64>) -> Result<(), ExperimentError> {
     ))
 }
 
+/// A cell of a node that the file does not have, both by their tags.
+#[derive(Debug, Error)]
+#[error("element {element} names node {node}, which does not exist")]
+struct NoNode {
+    element: u64,
+    node: u64,
+}
+
 /// Nodes that cells use, and the cells, counter-clockwise.
-fn parts(file: &MshFile<u64, i32, f64>, scale: f64) -> Result<MeshParts, String> {
+fn parts(file: &MshFile<u64, i32, f64>, scale: f64) -> Result<MeshParts, NoNode> {
     let places = places(file, scale);
     let mut parts = MeshParts::default();
     let mut indices: BTreeMap<u64, usize> = BTreeMap::new();
@@ -180,11 +189,9 @@ fn parts(file: &MshFile<u64, i32, f64>, scale: f64) -> Result<MeshParts, String>
         for element in &block.elements {
             let mut cell = Vec::with_capacity(kind.nodes());
             for tag in &element.nodes {
-                let place = places.get(tag).ok_or_else(|| {
-                    format!(
-                        "element {} names node {tag}, which does not exist",
-                        element.element_tag
-                    )
+                let place = places.get(tag).ok_or(NoNode {
+                    element: element.element_tag,
+                    node: *tag,
                 })?;
                 cell.push(*indices.entry(*tag).or_insert_with(|| {
                     parts.nodes.push(*place);

@@ -1,5 +1,7 @@
 //! Input files of Abaqus and CalculiX.
 
+use std::io;
+
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_mesh_files::{Format, Note, read};
 
@@ -125,7 +127,7 @@ fn files_are_included_and_errors_name_them() {
             "nodes.inc" => Ok("1, 0, 0\n2, 1, 0\n".to_owned() + "*INCLUDE, INPUT=more.inc"),
             "more.inc" => Ok("3, 0, 1".to_owned()),
             "cells.inc" => Ok(cells.to_owned()),
-            _ => Err("unknown".to_owned()),
+            _ => Err(io::ErrorKind::NotFound.into()),
         }
     };
     let file = read(text, Format::Abaqus, &includes("1, 1, 2, 3")).expect("a triangle");

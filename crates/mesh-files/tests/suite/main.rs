@@ -10,11 +10,13 @@ mod quality;
 mod round_trip;
 mod vtu;
 
+use std::io;
+
 use stickslip_fem_core::mesh::Mesh;
 use stickslip_mesh_files::{Format, Imported, ReadError, read};
 
-fn no_files(name: &str) -> Result<String, String> {
-    Err(format!("there is no file '{name}'"))
+fn no_files(name: &str) -> io::Result<String> {
+    Err(io::Error::other(format!("there is no file '{name}'")))
 }
 
 /// Reads a text whose mesh must be valid.

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use thiserror::Error;
+
 use super::tables;
 use crate::declaration::{Key, Table};
 use crate::document::child;
@@ -9,11 +11,26 @@ use crate::document::child;
 const START: &str = "<!-- keys of ";
 const END: &str = "<!-- end of keys -->";
 
+/// Why a document cannot take the tables of keys.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DocumentError {
+    /// A place without a table.
+    #[error("there is no table of keys '{0}', or it is placed twice")]
+    NoTable(String),
+    /// A place without its end.
+    #[error("'{END}' is missing after '{0}'")]
+    NoEnd(String),
+    /// Tables without a place.
+    #[error("the document does not place {}", .0.join(", "))]
+    NotPlaced(Vec<&'static str>),
+}
+
 /// `text` with the tables of keys as they are declared, each between `<!-- keys of PATH -->` and `<!-- end of keys -->`.
 ///
 /// # Errors
-/// A table that `text` does not place, or a place without a table.
-pub fn document(text: &str) -> Result<String, String> {
+/// [`DocumentError`]: a table that `text` does not place, or a place without a table or an end.
+pub fn document(text: &str) -> Result<String, DocumentError> {
     let mut missing: Vec<Table> = tables().collect();
     let mut parts = text.split_inclusive('\n');
     let mut written = String::new();
@@ -26,16 +43,16 @@ pub fn document(text: &str) -> Result<String, String> {
             continue;
         };
         let place = missing.iter().position(|table| title(table) == path);
-        let place = place
-            .ok_or_else(|| format!("there is no table of keys '{path}', or it is placed twice"))?;
+        let place = place.ok_or_else(|| DocumentError::NoTable(path.to_owned()))?;
         written.push_str(&rows(&missing.remove(place)));
         let end = parts.find(|line| line.trim_end() == END);
-        written.push_str(end.ok_or_else(|| format!("'{END}' is missing after '{path}'"))?);
+        written.push_str(end.ok_or_else(|| DocumentError::NoEnd(path.to_owned()))?);
     }
     let titles: Vec<_> = missing.iter().map(title).collect();
-    match titles.as_slice() {
-        [] => Ok(written),
-        titles => Err(format!("the document does not place {}", titles.join(", "))),
+    if titles.is_empty() {
+        Ok(written)
+    } else {
+        Err(DocumentError::NotPlaced(titles))
     }
 }
 

@@ -8,6 +8,7 @@ mod splines;
 
 use std::borrow::Cow;
 use std::cell::RefCell;
+use std::error::Error;
 use std::fmt;
 use std::io::{self, ErrorKind};
 use std::path::Path;
@@ -15,7 +16,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::generate::{Generate, GenerateError, MeshEstimate, unit_vector};
-use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
+use stickslip_fem_core::mesh::{ElementKind, Mesh, MeshError, Point};
 use stickslip_mesh_files::{Coincident, Format, read_with};
 
 use self::edges::{edges, uneven};
@@ -100,8 +101,7 @@ impl Keys {
         // Files that it includes count in the checksum as well.
         let whole = RefCell::new(content.clone());
         let include = |name: &str| {
-            let text = sizes.file(path, Some(name));
-            let text = text.map_err(|cause| cause.to_string())?;
+            let text = sizes.file(path, Some(name))?;
             whole.borrow_mut().push_str(&text);
             Ok(text)
         };
@@ -142,14 +142,14 @@ impl Keys {
             self.splines,
             whole.into_inner()
         ));
-        let invalid = |cause: String| refused("file", cause, MEND);
+        let invalid = |cause: &dyn Error| refused("file", cause.to_string(), MEND);
         let mut notes: Vec<FileNote> = own.notes.into_iter().map(FileNote::Read).collect();
         let (mut parts, scale) = (own.parts, self.unit.unit().in_base);
         for node in &mut parts.nodes {
             *node = node.map(|x| scale * x);
         }
         let fitted = on_circles(&mut parts, &self.circles, &radii, &mut notes)?;
-        let plain = placed(parts, &self.splines, &mut notes).map_err(invalid)?;
+        let plain = placed(parts, &self.splines, &mut notes).map_err(|cause| invalid(&cause))?;
         let plain = splines::put_on(plain, &self.splines, &mut notes)
             .map_err(|[cause, remedy]| refused("splines", cause, &remedy))?;
         let given = GivenMesh {
@@ -164,7 +164,7 @@ impl Keys {
             splines: self.splines.clone(),
             turn: 0.0,
         };
-        given.with(plain).map_err(invalid)
+        given.with(plain).map_err(|cause| invalid(&cause))
     }
 }
 
@@ -218,7 +218,7 @@ impl fmt::Debug for GivenMesh {
 
 impl GivenMesh {
     /// The same file with its mesh.
-    fn with(self, plain: Mesh) -> Result<Self, String> {
+    fn with(self, plain: Mesh) -> Result<Self, MeshError> {
         let names: Vec<String> = plain.edge_set_names().map(str::to_owned).collect();
         let points = (plain.node_set_names())
             .filter(|name| plain.edge_set(name).is_err())
@@ -235,7 +235,7 @@ impl GivenMesh {
         let uneven = uneven.collect();
         let mut sets = Vec::new();
         for name in &names {
-            let set = plain.edge_set(name).map_err(|cause| cause.to_string())?;
+            let set = plain.edge_set(name)?;
             let mut nodes: Vec<usize> = (set.edges.iter())
                 .flat_map(|&own| plain.edge_nodes(own).walk().collect::<Vec<_>>())
                 .collect();
@@ -245,7 +245,7 @@ impl GivenMesh {
         }
         let mut parts = plain.into_parts();
         parts.node_sets.extend(sets);
-        let mesh = Mesh::new(parts).map_err(|cause| cause.to_string())?;
+        let mesh = Mesh::new(parts)?;
         Ok(Self {
             mesh: Some(Arc::new(mesh)),
             edges,

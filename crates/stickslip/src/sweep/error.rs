@@ -21,7 +21,7 @@ pub enum SweepError {
         what: String,
     },
     /// A row of a table that is read again.
-    #[error("line {line} of the table: {what}")]
+    #[error("line {line} of the table: {cause}")]
     #[diagnostic(
         code(sweep::row),
         help("delete the line; the case that it stands for is then solved again")
@@ -30,7 +30,8 @@ pub enum SweepError {
         /// Line, from 1.
         line: u64,
         /// What is wrong.
-        what: String,
+        #[source]
+        cause: RowError,
     },
     /// A row cannot be written.
     #[error("the table cannot be written: {cause}")]
@@ -51,4 +52,41 @@ pub enum SweepError {
         #[source]
         cause: Box<dyn std::error::Error + Send + Sync>,
     },
+}
+
+/// Why a row of a table cannot be read.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum RowError {
+    /// A line that makes no cells.
+    #[error(transparent)]
+    Csv(#[from] csv::Error),
+    /// More or fewer cells than headings.
+    #[error("{cells} cells under {headings} headings")]
+    Cells {
+        /// Number of cells.
+        cells: usize,
+        /// Number of headings.
+        headings: usize,
+    },
+    /// A cell of a number that holds none.
+    #[error("'{0}' is not a number")]
+    Number(String),
+    /// A first cell that counts no case.
+    #[error("'{0}' is not the number of a case")]
+    CaseNumber(String),
+    /// A case that the sweep does not have.
+    #[error("case {case} does not exist: this sweep has {cases}")]
+    Case {
+        /// Its number, from 0.
+        case: usize,
+        /// Number of cases.
+        cases: usize,
+    },
+    /// A failure mode that no joint has, or one without its angle.
+    #[error("'{0}' is not a failure mode with an angle")]
+    Mode(String),
+    /// A row that says neither that it is solved nor why not.
+    #[error("the outcome is missing")]
+    Outcome,
 }

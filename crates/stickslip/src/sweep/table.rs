@@ -26,7 +26,7 @@ use stickslip_report::table::Columns;
 use stickslip_text::plain::{csv_cell, csv_text};
 
 use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row};
-use super::{Sweep, SweepError};
+use super::{RowError, Sweep, SweepError};
 use cells::{Cells, REACHED, whole};
 
 /// Outcome of a case that has numbers.
@@ -290,11 +290,11 @@ pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
     let mut expected = headings(sweep);
     let mut rows: Vec<Row> = Vec::new();
     for (index, record) in reader.records().enumerate() {
-        let fail = |what: String| SweepError::Row {
+        let fail = |cause: RowError| SweepError::Row {
             line: index as u64 + 1,
-            what,
+            cause,
         };
-        let record = record.map_err(|cause| fail(cause.to_string()))?;
+        let record = record.map_err(|cause| fail(cause.into()))?;
         let found: Vec<&str> = record.iter().map(csv_text).collect();
         if index == 0 {
             // Earlier versions had no findings, the last column.
@@ -310,8 +310,10 @@ pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
             continue;
         }
         if record.len() != expected.len() {
-            let what = format!("{} cells under {} headings", record.len(), expected.len());
-            return Err(fail(what));
+            return Err(fail(RowError::Cells {
+                cells: record.len(),
+                headings: expected.len(),
+            }));
         }
         let row = row(sweep, &found).map_err(fail)?;
         let values = sweep.values_of(row.case);
@@ -335,14 +337,12 @@ pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
 }
 
 /// A row from its cells, of which there are as many as headings.
-fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
+fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, RowError> {
     let mut cells = Cells(cells.iter());
     let case = whole(cells.next())?;
     if case >= sweep.cases() {
-        return Err(format!(
-            "case {case} does not exist: this sweep has {}",
-            sweep.cases()
-        ));
+        let cases = sweep.cases();
+        return Err(RowError::Case { case, cases });
     }
     for _ in &sweep.axes {
         cells.next();
@@ -355,7 +355,7 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
     measures.findings = findings_of(cells.next());
     let outcome = match outcome {
         SOLVED => Outcome::Solved(Box::new(measures)),
-        "" => return Err("the outcome is missing".to_owned()),
+        "" => return Err(RowError::Outcome),
         reason => Outcome::Unresolved(reason.to_owned()),
     };
     Ok(Row {

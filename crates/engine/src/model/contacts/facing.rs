@@ -102,7 +102,7 @@ impl Tied<'_> {
         Ok(Facing {
             first: (0..points.len()).map(place).collect(),
             centre: edge.centre,
-            second: curve.map_err(|what| self.refuse(what))?,
+            second: curve.map_err(|cause| self.refuse(cause.to_string()))?,
         })
     }
 }

@@ -1,22 +1,31 @@
 //! The mesh of a file on the lines, circles and arcs that its edges approximate.
 
-use stickslip_fem_core::mesh::{self, Mesh, MeshParts};
+use stickslip_fem_core::mesh::{self, Mesh, MeshError, MeshParts};
 use stickslip_mesh_files::{CurveError, put_on_circles, recognise_set, snap, snap_pieces};
+use thiserror::Error;
 
 use crate::shape::note::{FileCurve, FileNote};
 use crate::shape::outline::CircleFit;
+
+/// Why the edges of a file cannot be put on their curves.
+#[derive(Debug, Error)]
+#[error(transparent)]
+pub(super) enum PlacedError {
+    Curve(#[from] CurveError),
+    Mesh(#[from] MeshError),
+}
 
 /// The mesh of a file with the known curves of its edges but `splines`, and its mid nodes on them; `notes` get what was moved.
 pub(super) fn placed(
     mut parts: MeshParts,
     splines: &[String],
     notes: &mut Vec<FileNote>,
-) -> Result<Mesh, String> {
+) -> Result<Mesh, PlacedError> {
     let names: Vec<String> = parts.edge_sets.keys().cloned().collect();
     for name in &names {
         match recognise_set(&parts, name).map(|found| found.curve) {
             Ok(mesh::Curve::Arc { radius, .. }) => {
-                let moved = snap(&mut parts, name).map_err(|cause| cause.to_string())?;
+                let moved = snap(&mut parts, name)?;
                 if moved > 0 {
                     notes.push(FileNote::MidNodes {
                         edge: name.clone(),
@@ -43,7 +52,7 @@ pub(super) fn placed(
             }
         }
     }
-    Mesh::new(parts).map_err(|cause| cause.to_string())
+    Ok(Mesh::new(parts)?)
 }
 
 /// Puts the edges `circles`, of coordinates in mm, onto their best circles, or onto those of the known `radii`; `notes` get what was moved. Returns how they were

@@ -1,5 +1,6 @@
 //! Cells of a row as they are read.
 
+use crate::sweep::RowError;
 use crate::sweep::row::{JointLoad, MeasureErrors, Measures, PlyFailure};
 use crate::sweep::verdict::ORDER;
 
@@ -15,7 +16,7 @@ impl<'a> Cells<'a> {
     }
 
     /// A number, or none in an empty cell.
-    pub(super) fn number(&mut self) -> Result<Option<f64>, String> {
+    pub(super) fn number(&mut self) -> Result<Option<f64>, RowError> {
         let cell = self.next();
         if cell.is_empty() {
             return Ok(None);
@@ -23,11 +24,11 @@ impl<'a> Cells<'a> {
         let value = cell.parse::<f64>();
         value
             .map(Some)
-            .map_err(|_| format!("'{cell}' is not a number"))
+            .map_err(|_| RowError::Number(cell.to_owned()))
     }
 
     /// The numbers of a contact, each followed by its error where a table `states_errors`.
-    pub(super) fn contact(&mut self, states_errors: bool) -> Result<Measures, String> {
+    pub(super) fn contact(&mut self, states_errors: bool) -> Result<Measures, RowError> {
         let load = self.number()?;
         let mut stated = || self.stated(states_errors);
         let [pressure, extent, hoop, angle] = [stated()?, stated()?, stated()?, stated()?];
@@ -54,13 +55,16 @@ impl<'a> Cells<'a> {
     }
 
     /// A number, followed by its error where a table `states_errors`.
-    fn stated(&mut self, states_errors: bool) -> Result<(Option<f64>, Option<f64>), String> {
+    fn stated(&mut self, states_errors: bool) -> Result<(Option<f64>, Option<f64>), RowError> {
         let value = self.number()?;
         let error = if states_errors { self.number()? } else { None };
         Ok((value, error))
     }
 
-    pub(super) fn first_ply(&mut self, states_errors: bool) -> Result<Option<PlyFailure>, String> {
+    pub(super) fn first_ply(
+        &mut self,
+        states_errors: bool,
+    ) -> Result<Option<PlyFailure>, RowError> {
         let (load, load_error) = self.stated(states_errors)?;
         let [ply, criterion, mode] = [self.next(), self.next(), self.next()].map(str::to_owned);
         let (angle, found) = (self.number()?, self.next());
@@ -75,7 +79,7 @@ impl<'a> Cells<'a> {
         }))
     }
 
-    pub(super) fn joint(&mut self, states_errors: bool) -> Result<Option<JointLoad>, String> {
+    pub(super) fn joint(&mut self, states_errors: bool) -> Result<Option<JointLoad>, RowError> {
         let (load, load_error) = self.stated(states_errors)?;
         let bearing_stress = self.number()?;
         let (mode, angle, found) = (self.next(), self.number()?, self.next());
@@ -90,15 +94,15 @@ impl<'a> Cells<'a> {
                 reached: found == REACHED,
             })),
             None if mode.is_empty() => Ok(None),
-            None => Err(format!("'{mode}' is not a failure mode with an angle")),
+            None => Err(RowError::Mode(mode.to_owned())),
         }
     }
 }
 
 /// The number of a case.
-pub(super) fn whole(cell: &str) -> Result<usize, String> {
+pub(super) fn whole(cell: &str) -> Result<usize, RowError> {
     cell.parse()
-        .map_err(|_| format!("'{cell}' is not the number of a case"))
+        .map_err(|_| RowError::CaseNumber(cell.to_owned()))
 }
 
 fn pair(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {

@@ -158,7 +158,8 @@ pub fn check_listed(solver: &SolverInfo) -> Result<(), Breach> {
 /// Tests `solver`, whose answers are verified, on all sample steps.
 ///
 /// ```
-/// use stickslip_contact::solver::{SolverKind, contract::check};
+/// use stickslip_contact::contract::check;
+/// use stickslip_contact::solver::SolverKind;
 ///
 /// check(SolverKind::Pivoting.make().as_ref()).unwrap();
 /// ```

@@ -3,10 +3,10 @@
 use std::io;
 use std::path::Path;
 
-use super::{Scene, VERSION};
 use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 use crate::document::{Document, Format, Part};
 use crate::host::Host;
+use crate::scene::{Scene, VERSION};
 use crate::{build, open};
 
 impl Scene {

@@ -6,12 +6,46 @@ use spade::{
     Triangulation,
 };
 use stickslip_fem_core::mesh::Point;
+use thiserror::Error;
 
-use super::Reason;
 use crate::order_statistics::median;
 
 /// Distance from the hull, in units of the data's extent, that is rounding.
 const SLACK: f64 = 1e-9;
+
+/// Why places cannot be triangulated.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum TriangulationError {
+    /// No place is valid.
+    #[error("there are none")]
+    NoPlaces,
+    /// All places are one, or they lie too far apart.
+    #[error("their extent is {0}")]
+    Extent(f64),
+    /// Places coincide.
+    #[error("only {distinct} of {count} places are distinct")]
+    Repeated {
+        /// Distinct places.
+        distinct: usize,
+        /// All places.
+        count: usize,
+    },
+    /// The places span no plane.
+    #[error("all {0} lie on one line")]
+    OnOneLine(usize),
+    /// The library for triangulations refuses a place, in its own words.
+    #[error("{0}")]
+    Refused(String),
+}
+
+/// Why no triangle interpolates at a place.
+pub(crate) enum NoTriangle {
+    /// It lies outside the hull of the places.
+    Outside,
+    /// The triangle around it is a gap in the data.
+    Gap { side: f64, longest: f64 },
+}
 
 struct Vertex {
     position: Point2<f64>,
@@ -35,10 +69,10 @@ pub(crate) struct Triangles<'a> {
 }
 
 impl<'a> Triangles<'a> {
-    /// Triangulates the places that are `valid`; says why it cannot.
-    pub(crate) fn new(places: &'a [Point], valid: &[bool]) -> Result<Self, String> {
+    /// Triangulates the places that are `valid`.
+    pub(crate) fn new(places: &'a [Point], valid: &[bool]) -> Result<Self, TriangulationError> {
         let chosen: Vec<usize> = (0..places.len()).filter(|&k| valid[k]).collect();
-        let first = *chosen.first().ok_or("there are none")?;
+        let first = *chosen.first().ok_or(TriangulationError::NoPlaces)?;
         let (mut low, mut high) = (places[first], places[first]);
         for &k in &chosen {
             for c in 0..2 {
@@ -48,7 +82,7 @@ impl<'a> Triangles<'a> {
         }
         let extent = (high[0] - low[0]).max(high[1] - low[1]);
         if !(extent.is_finite() && extent > 0.0) {
-            return Err(format!("their extent is {extent}"));
+            return Err(TriangulationError::Extent(extent));
         }
         let frame = |place| scaled(place, low, extent);
         let vertices = chosen
@@ -58,7 +92,8 @@ impl<'a> Triangles<'a> {
                 index,
             })
             .collect();
-        let mesh = DelaunayTriangulation::bulk_load(vertices).map_err(|cause| cause.to_string())?;
+        let mesh = DelaunayTriangulation::bulk_load(vertices)
+            .map_err(|cause| TriangulationError::Refused(cause.to_string()))?;
         let triangles = Self {
             places,
             origin: low,
@@ -66,26 +101,29 @@ impl<'a> Triangles<'a> {
             mesh,
         };
         if triangles.mesh.num_vertices() != chosen.len() {
-            Err(format!(
-                "only {} of {} places are distinct",
-                triangles.mesh.num_vertices(),
-                chosen.len()
-            ))
+            Err(TriangulationError::Repeated {
+                distinct: triangles.mesh.num_vertices(),
+                count: chosen.len(),
+            })
         } else if triangles.mesh.num_inner_faces() == 0 {
-            Err(format!("all {} lie on one line", chosen.len()))
+            Err(TriangulationError::OnOneLine(chosen.len()))
         } else {
             Ok(triangles)
         }
     }
 
     /// Indices and weights that interpolate at `place`, from a triangle whose sides are at most `longest`.
-    pub(crate) fn weights(&self, place: Point, longest: f64) -> Result<Vec<(usize, f64)>, Reason> {
+    pub(crate) fn weights(
+        &self,
+        place: Point,
+        longest: f64,
+    ) -> Result<Vec<(usize, f64)>, NoTriangle> {
         let position = scaled(place, self.origin, self.extent);
         if [position.x, position.y]
             .iter()
             .any(|x| !(-SLACK..=1.0 + SLACK).contains(x))
         {
-            return Err(Reason::Outside);
+            return Err(NoTriangle::Outside);
         }
         let corners: Vec<(FixedVertexHandle, f64)> = match self.mesh.locate(position) {
             PositionInTriangulation::OnVertex(vertex) => vec![(vertex, 1.0)],
@@ -115,9 +153,9 @@ impl<'a> Triangles<'a> {
                         let t = t.clamp(0.0, 1.0);
                         near.then(|| vec![(from, 1.0 - t), (to, t)])
                     })
-                    .ok_or(Reason::Outside)?
+                    .ok_or(NoTriangle::Outside)?
             }
-            PositionInTriangulation::NoTriangulation => return Err(Reason::Outside),
+            PositionInTriangulation::NoTriangulation => return Err(NoTriangle::Outside),
         };
         let stencil: Vec<(usize, f64)> = corners
             .into_iter()
@@ -125,7 +163,7 @@ impl<'a> Triangles<'a> {
             .collect();
         let side = self.longest_side(&stencil);
         if side > longest {
-            return Err(Reason::Gap { side, longest });
+            return Err(NoTriangle::Gap { side, longest });
         }
         Ok(stencil)
     }
