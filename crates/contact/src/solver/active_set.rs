@@ -172,8 +172,10 @@ impl<'a> Iteration<'a> {
                     status,
                     violation,
                 };
-                self.apply(&held.into_iter().map(change).collect::<Vec<_>>())?;
-                continue;
+                if !held.is_empty() {
+                    self.apply(&held.into_iter().map(change).collect::<Vec<_>>())?;
+                    continue;
+                }
             }
             let scales = Scales::of(self.step, &frozen.forces, &frozen.motion);
             let (rules, status) = (self.rules, &self.status);

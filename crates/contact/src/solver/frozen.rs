@@ -17,13 +17,12 @@ use std::fmt::Debug;
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::linalg::DenseLu;
 
-use super::accept::ACCEPTED;
 use super::step::Step;
 use super::{FailureCause, Work};
 use crate::problem::{Chosen, FreeMotions};
 use crate::state::Status;
 
-/// Relative size below which a resistance is rounding.
+/// Relative size below which a resistance or a resultant is rounding.
 const NEGLIGIBLE: f64 = 1e-12;
 
 /// Linearised slip traction of one point: F ≈ f₀ + f₁ λ_n + f₂ |Δs|.
@@ -167,13 +166,12 @@ pub(super) fn lu_operations(order: u64) -> u64 {
 }
 
 impl FreeMotions {
-    /// The part `[force]`, m, along them of the load and of the contact forces `forces` `[force]`, 2n; `None` where a verified state
-    /// may leave as much, as rounded coordinates do.
+    /// The part `[force]`, m, along them of the load and of the contact forces `forces` `[force]`, 2n; `None` where it is rounding.
     pub fn unbalanced(&self, step: &Step<'_>, forces: &DVector<f64>) -> Option<DVector<f64>> {
         let mut resultants = step.mode_load.clone();
         resultants.gemv_tr(1.0, step.problem.modes(), forces, 1.0);
         let along = &self.projector * resultants;
-        (along.amax() > ACCEPTED * step.mode_load.amax().max(forces.amax())).then_some(along)
+        (along.amax() > NEGLIGIBLE * step.mode_load.amax().max(forces.amax())).then_some(along)
     }
 }
 
