@@ -162,9 +162,10 @@ pub enum FailureCause {
     },
     /// A floating body's load cannot be balanced: a rigid motion along which the load works separates, or slides along,
     /// every contact.
-    #[error("the load cannot be balanced: nothing stops a rigid motion on which {part:.0e} of it does work{}", if *proved { " (proved)" } else { "" })]
+    #[error("the load cannot be balanced: nothing stops a rigid motion on which {}it does work{}", of(*part), if *proved { " (proved)" } else { "" })]
     Unbalanced {
-        /// The part of the load that works along it `[1]`: of the size of rounding where coordinates or directions are given to too few digits.
+        /// The part of the load that works along it `[1]`, translations and rotations alike by what they move points: below [`ROUNDED`](Self::ROUNDED) where coordinates or directions
+        /// have too few digits.
         part: f64,
         /// The rigid motion α that begins, one number per mode, in the units of [`InterfaceProblem::modes`](crate::InterfaceProblem::modes).
         motion: Vec<f64>,
@@ -174,7 +175,19 @@ pub enum FailureCause {
     },
 }
 
+/// "1e-8 of " a load, where that is little.
+fn of(part: f64) -> String {
+    if part < FailureCause::ROUNDED {
+        format!("{part:.0e} of ")
+    } else {
+        String::new()
+    }
+}
+
 impl FailureCause {
+    /// Part of a load `[1]` below which it is out of balance because numbers were rounded, most likely.
+    pub const ROUNDED: f64 = 1e-6;
+
     /// What kind of failure it is, in a word or two.
     pub fn kind(&self) -> &'static str {
         match self {

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::accept::ROUNDING;
+use super::accept::{ACCEPTED, ROUNDING};
 use super::attempt::Attempt;
 use super::candidate::Candidate;
 use super::frozen::{self, Condensed, Frozen, FrozenSystem, SlipLine, solve};
@@ -166,13 +166,13 @@ impl<'a> Iteration<'a> {
                 .solve(self.step, &self.status, &self.lines, work)?;
             if let Some(direction) = &frozen.unbalanced {
                 let held = hold(self.step, &self.status, &frozen, direction.as_slice())?;
-                let (status, violation) = (Status::Stick, f64::INFINITY);
-                let change = |point| Change {
-                    point,
-                    status,
-                    violation,
-                };
                 if !held.is_empty() {
+                    let (status, violation) = (Status::Stick, f64::INFINITY);
+                    let change = |point| Change {
+                        point,
+                        status,
+                        violation,
+                    };
                     self.apply(&held.into_iter().map(change).collect::<Vec<_>>())?;
                     continue;
                 }
@@ -332,12 +332,13 @@ pub(super) fn settle(
     let linear = (0..step.count()).all(|k| step.problem.law(k).is_linear());
     for _ in 0..LIMIT {
         let frozen = solve(step, &iteration.status, &iteration.lines, &mut attempt.work)?;
-        if let Some(direction) = &frozen.unbalanced {
-            let forces = step.mode_load.amax().max(frozen.forces.amax());
-            let violation = direction.amax() / forces.max(f64::MIN_POSITIVE);
-            return Err(FailureCause::Inaccurate { violation });
-        }
         let scales = Scales::of(step, &frozen.forces, &frozen.motion);
+        if let Some(direction) = &frozen.unbalanced {
+            let violation = direction.amax() / scales.force;
+            if violation > ACCEPTED {
+                return Err(FailureCause::Inaccurate { violation });
+            }
+        }
         if linear || iteration.relinearise(&frozen, scales) {
             return attempt.accept(attempt.trial(&frozen, &iteration.status));
         }

@@ -155,6 +155,13 @@ fn without_lift(
     }
 }
 
+/// The part of the load of `step` `[1]` that the resultants `unbalanced` are, which nothing balances; infinite without a load.
+pub(super) fn part_of_load(step: &Step<'_>, unbalanced: &DVector<f64>) -> f64 {
+    let units = units(step);
+    let size = |resultants: &DVector<f64>| resultants.component_mul(&units).norm();
+    size(unbalanced) / size(&step.mode_load)
+}
+
 /// Whether contact forces in the friction cones of `points` balance the load of `step`.
 pub(crate) fn balanced_by(step: &Step<'_>, points: &[usize]) -> bool {
     let units = units(step);

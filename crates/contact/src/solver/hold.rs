@@ -1,8 +1,12 @@
 //! What stops floating bodies whose load is not balanced.
 
+use nalgebra::DVector;
+
 use super::FailureCause;
 use super::accept::{ACCEPTED, ROUNDING};
+use super::balance::part_of_load;
 use super::frozen::Frozen;
+use super::residual::Scales;
 use super::step::Step;
 use crate::state::Status;
 
@@ -13,8 +17,8 @@ const SYMMETRIC: f64 = 1e-8;
 
 /// What can stop the bodies from moving along `direction`, on which the load does work: the open point that first closes;
 /// if none does, sticking of slipping points on the way, and of open points that are already pressed together. Of the slipping
-/// ones, those that the motion would turn first are enough if their friction, turned against it, outweighs what is unbalanced. Nothing
-/// where nothing stops them and a verified state may be as far out of balance, as rounded coordinates leave it.
+/// ones, those that the motion would turn first are enough if their friction, turned against it, outweighs what is unbalanced.
+/// Empty if nothing stops them, but what is unbalanced is within the tolerance of a verified state.
 pub(super) fn hold(
     step: &Step<'_>,
     status: &[Status],
@@ -64,10 +68,10 @@ pub(super) fn hold(
         None if driven => first_turned(turning, unbalanced).unwrap_or(pressed),
         None => pressed,
     };
-    let load = step.mode_load.amax().max(frozen.forces.amax());
-    if held.is_empty() && speed > ACCEPTED * load {
+    let scales = Scales::of(step, &frozen.forces, &frozen.motion);
+    if held.is_empty() && speed > ACCEPTED * scales.force {
         return Err(FailureCause::Unbalanced {
-            part: speed / load,
+            part: part_of_load(step, &DVector::from_column_slice(direction)),
             motion: direction.to_vec(),
             proved,
         });

@@ -17,7 +17,7 @@ const FEWEST: usize = 2;
 const LEAST: usize = 8;
 /// The same of steps in which points close again: what sticks then did not change up to eight increments, and friction by 5 % from there to 32.
 const AGAIN: usize = 32;
-/// Most increments of a load step that are tried.
+/// Most increments of a load step that are tried on the first model; twice as many on the last.
 const INCREMENTS: usize = 64;
 /// The increments may take this part of what is asked.
 const PATH_SHARE: f64 = 0.5;
@@ -85,11 +85,15 @@ impl Climb<'_> {
         (errors, end): (Estimates, LadderEnd),
         progress: &mut dyn FnMut(Progress),
     ) -> Option<(Estimates, LadderEnd)> {
-        if end == LadderEnd::LoadPath
-            && let Some(left) = self.judged_again(levels, progress)
-        {
-            *path = left;
-            return None;
+        if end == LadderEnd::LoadPath && !self.is_judged && self.scene.analysis.substeps.is_none() {
+            match self.judge_again(levels, progress) {
+                Some(left) => {
+                    *path = left;
+                    return None;
+                }
+                None if self.ran_out => return Some((errors, LadderEnd::Budget)),
+                None => {}
+            }
         }
         let (finer, last) = match (self.in_more_increments(levels, progress), levels.last()) {
             (Some(Ok(finer)), Some(last)) => (finer, last),
@@ -108,27 +112,42 @@ impl Climb<'_> {
         }
     }
 
-    /// What twice as many increments leave of the last of `levels`, which they replace; `None` where the scene gives them, or that was done before. The first model, on which they were chosen,
-    /// has few nodes: where each increment closes one of them, peaks change by much more than on the nodes of the last.
-    fn judged_again(
+    /// Solves the last of `levels` with half and with twice as many increments, and all of them with the latter, and returns what these leave: on the first model, on which they were chosen, an
+    /// increment may close one node, and peaks change by much more than on many nodes. `None` where the budget is spent, or memory or a model does not allow it; `levels` are then as they were.
+    fn judge_again(
         &mut self,
         levels: &mut [Level],
         progress: &mut dyn FnMut(Progress),
     ) -> Option<Left> {
-        let last = levels.last_mut()?;
-        let is_first = last.substeps.iter().all(|&count| count <= INCREMENTS);
-        if self.scene.analysis.substeps.is_some() || !is_first || self.is_spent(last) {
+        let last = levels.last().filter(|last| !self.is_too_large_next(last))?;
+        self.is_judged = true;
+        self.ran_out |= self.is_spent(last);
+        if self.ran_out {
             return None;
         }
-        let halves: Vec<usize> = last.substeps.iter().map(|count| count / 2).collect();
-        let half = self.level_in_time(last.rung, &halves, progress).ok()??;
-        let twice = times(2, &last.substeps);
-        let finer = self.level_in_time(last.rung, &twice, progress).ok()??;
+        let (once, twice) = (last.substeps.clone(), times(2, &last.substeps));
+        let half: Vec<usize> = once.iter().map(|count| count / 2).collect();
+        let half = self.level_in_time(last.rung, &half, progress).ok()??;
+        self.record(&half, None);
+        let half = half.numbers;
+        // The finest first: its operators are ready. Of all alike, so that levels differ by their division alone.
+        let mut finer = Vec::with_capacity(levels.len());
+        for level in levels.iter().rev() {
+            let mut again = self.level_in_time(level.rung, &twice, progress).ok()??;
+            if !finer.is_empty() {
+                again.solved.own = None;
+            }
+            finer.push(again);
+        }
+        let (now, before) = (&finer.first()?.numbers, &levels.last()?.numbers);
         let all = vec![true; twice.len()];
         let mut changes = Changes::default();
-        changes.halved((&last.numbers, &half.numbers), &all, &last.substeps);
-        let found = changes.halved((&finer.numbers, &last.numbers), &all, &twice);
-        *last = finer;
+        changes.halved((before, &half), &all, &once);
+        let found = changes.halved((now, before), &all, &twice);
+        for (level, again) in levels.iter_mut().zip(finer.into_iter().rev()) {
+            self.record(&again, None);
+            *level = again;
+        }
         Some(found.left)
     }
 

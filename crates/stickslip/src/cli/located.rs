@@ -1,6 +1,7 @@
 //! Errors of models and runs, at the line of the scene that causes them.
 
 use stickslip_contact::ContactError;
+use stickslip_contact::solver::FailureCause;
 use stickslip_engine::model::{LoadTable, ModelError};
 use stickslip_engine::results::LoadValue;
 use stickslip_engine::run::{MovingBody, RunError, WholeMotion};
@@ -9,9 +10,6 @@ use stickslip_present::results::quoted;
 use stickslip_scene::Scene;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 use stickslip_scene::schema::{BodyModel, Division, KinematicsChoice, SolverChoice};
-
-/// Part of a load that is out of balance because numbers of the scene were rounded.
-const ROUNDED: f64 = 1e-6;
 
 /// The error at the key that it is about, with a remedy.
 pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
@@ -186,13 +184,12 @@ fn message(scene: &Scene, error: &RunError) -> String {
     let loads: Vec<String> = loads.iter().map(value).collect();
     let why = match error {
         RunError::Unbalanced { moving, part, .. } => {
-            let moved = described(moving);
-            let by = if *part < ROUNDED {
-                format!(" by {part:.0e} of the load")
+            let what = if *part < FailureCause::ROUNDED {
+                format!("the loads miss their balance by {part:.0e} of their size")
             } else {
-                String::new()
+                "the load cannot be balanced".to_owned()
             };
-            format!("the load cannot be balanced: {moved}{by} (proved)")
+            format!("{what}: {} (proved)", described(moving))
         }
         _ => cause.to_string(),
     };
@@ -222,9 +219,9 @@ fn described(moving: &[MovingBody]) -> String {
 
 /// What stops the bodies that the part `part` of a load moves.
 fn against(scene: &Scene, moving: &[MovingBody], part: f64) -> String {
-    if part < ROUNDED {
-        return "give coordinates and directions with more digits, so that the loads balance to 1e-10 of their size, or hold the bodies against this \
-                motion by a support or springs"
+    if part < FailureCause::ROUNDED {
+        return "hold the bodies against this motion by a support or springs, or give coordinates and directions with more digits: loads may miss their \
+                balance by 1e-10 of their size"
             .to_owned();
     }
     let moves = |body: &String| moving.iter().any(|own| own.body == *body);

@@ -556,4 +556,13 @@ force = { direction = [1, -1], steps = ["1 kN"] }
         assert!(message.contains(part), "'{part}' is missing in:\n{message}");
     }
     assert!(!message.contains("contact"), "{message}");
+    // As little may be left of a direction that was rounded.
+    for (across, is_rounded) in [("1e-8", true), ("1e-5", false)] {
+        let direction = format!("loads.0.force.direction=[1, -{across}]");
+        let run = ["run", "plate.toml", "--set", &direction];
+        let message = fails(folder.path(), &run);
+        for part in ["miss their balance by 1e-8", "more digits"] {
+            assert_eq!(message.contains(part), is_rounded, "'{part}':\n{message}");
+        }
+    }
 }

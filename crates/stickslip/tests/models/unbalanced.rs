@@ -210,7 +210,8 @@ fn loads_balance_up_to_rounded_coordinates() {
     let RunError::Unbalanced { part, .. } = error else {
         panic!("{error}");
     };
-    assert!((1e-10..1e-6).contains(&part), "{part}");
+    // The turn of a point at the hole against the pull.
+    assert!((2e-9..1e-7).contains(&part), "{part}");
 }
 
 /// A block on a slope of 30° that is too steep for it.
