@@ -158,7 +158,7 @@ fn increments_are_judged_again_where_they_leave_too_much() {
     let ladder = found.ladder.as_ref().unwrap();
     assert_eq!(ladder.end, LadderEnd::Reached);
     let last = ladder.rungs.last().unwrap();
-    assert_eq!(last.increments, [128; 3]);
+    assert_eq!(last.increments[0], 128);
     // Given increments are judged by other means, and are twice as many.
     let truth = solved(
         CYLINDER,
