@@ -526,6 +526,14 @@ force = { direction = [-1, 1], steps = ["10 N", "20 N"] }
         assert!(message.contains(part), "'{part}' is missing in:\n{message}");
     }
     assert!(!message.contains("load1") && !message.contains("loads.0"));
+    // As little may be left of a direction that was rounded.
+    for (across, is_rounded) in [("1e-8", true), ("1e-5", false)] {
+        let direction = format!("loads.1.force.direction=[-1, {across}]");
+        let message = fails(folder.path(), &["run", "joints.toml", "--set", &direction]);
+        for part in ["miss their balance by ", "e-8 of their size", "more digits"] {
+            assert_eq!(message.contains(part), is_rounded, "'{part}':\n{message}");
+        }
+    }
 }
 
 /// Without contact the body, its motion and the support that is missing are named, and no contact force.
@@ -556,13 +564,4 @@ force = { direction = [1, -1], steps = ["1 kN"] }
         assert!(message.contains(part), "'{part}' is missing in:\n{message}");
     }
     assert!(!message.contains("contact"), "{message}");
-    // As little may be left of a direction that was rounded.
-    for (across, is_rounded) in [("1e-8", true), ("1e-5", false)] {
-        let direction = format!("loads.0.force.direction=[1, -{across}]");
-        let run = ["run", "plate.toml", "--set", &direction];
-        let message = fails(folder.path(), &run);
-        for part in ["miss their balance by 1e-8", "more digits"] {
-            assert_eq!(message.contains(part), is_rounded, "'{part}':\n{message}");
-        }
-    }
 }
