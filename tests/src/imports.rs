@@ -115,9 +115,12 @@ impl Imports {
         for ((from, to), edge) in &self.edges {
             let (from, to) = (module_of(from), module_of(to));
             if from != to {
-                let joined = between.edges.entry((from, to)).or_default();
+                let joined = between.edges.entry((from, to)).or_insert_with(|| Edge {
+                    names: BTreeSet::new(),
+                    upward: true,
+                });
                 joined.names.extend(edge.names.iter().cloned());
-                joined.upward = edge.upward;
+                joined.upward &= edge.upward;
             }
         }
         between
