@@ -276,6 +276,18 @@ mod tests {
     }
 
     #[test]
+    fn modules_are_joined_as_a_family_only_if_all_their_imports_are() {
+        let root = (
+            "lib.rs",
+            "mod a; pub mod c { pub struct D; } pub struct A; fn f() { a::g() }",
+        );
+        let other = ("a.rs", "mod b; use crate::c::D; pub fn g() {}");
+        let child = ("a/b.rs", "use crate::A;");
+        let between = read(&[root, other, child]).between_modules();
+        assert_eq!(all(Counted::BetweenSubjects, &between), ["a lib"]);
+    }
+
+    #[test]
     fn names_are_followed_to_the_file_that_defines_them() {
         let root = ("lib.rs", "mod a; mod c; pub use a::B; pub use c::*;");
         let parent = (
