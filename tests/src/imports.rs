@@ -115,9 +115,12 @@ impl Imports {
         for ((from, to), edge) in &self.edges {
             let (from, to) = (module_of(from), module_of(to));
             if from != to {
-                let joined = between.edges.entry((from, to)).or_default();
+                let joined = between.edges.entry((from, to)).or_insert_with(|| Edge {
+                    names: BTreeSet::new(),
+                    upward: true,
+                });
                 joined.names.extend(edge.names.iter().cloned());
-                joined.upward = edge.upward;
+                joined.upward &= edge.upward;
             }
         }
         between
@@ -270,6 +273,18 @@ mod tests {
             ("b.rs", "use super::a::A; pub struct B(A);"),
         ];
         assert_eq!(circles(&files), ["a.rs b.rs"]);
+    }
+
+    #[test]
+    fn modules_are_joined_as_a_family_only_if_all_their_imports_are() {
+        let root = (
+            "lib.rs",
+            "mod a; pub mod c { pub struct D; } pub struct A; fn f() { a::g() }",
+        );
+        let other = ("a.rs", "mod b; use crate::c::D; pub fn g() {}");
+        let child = ("a/b.rs", "use crate::A;");
+        let between = read(&[root, other, child]).between_modules();
+        assert_eq!(all(Counted::BetweenSubjects, &between), ["a lib"]);
     }
 
     #[test]

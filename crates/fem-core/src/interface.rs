@@ -301,10 +301,10 @@ mod tests {
                 expected_columns: expected[1],
             }))
         };
-        assert_eq!(
-            GivenBody::held(square(3), response(3)),
-            shape("the compliance", [3, 3], [2, 2])
-        );
+        let odd = GivenBody::held(square(3), response(3));
+        assert_eq!(odd, shape("the compliance", [3, 3], [2, 2]));
+        let text = odd.unwrap_err().to_string();
+        assert!(text.contains("3 × 3, where 2 × 2 is needed"), "{text}");
         assert_eq!(
             GivenBody::held(square(4), response(2)),
             shape("the response to load case 1", [2, 1], [4, 1])
@@ -316,13 +316,14 @@ mod tests {
             floating(response(2)),
             shape("the resultant of load case 1", [2, 1], [1, 1])
         );
-        assert_eq!(
-            floating(Vec::new()),
-            Err(GivenBodyError::LoadCases {
-                responses: 1,
-                mode_loads: 0
-            })
-        );
+        let none = floating(Vec::new()).unwrap_err();
+        let text = none.to_string();
+        assert!(text.contains("1 responses and 0 resultants"), "{text}");
+        let expected = GivenBodyError::LoadCases {
+            responses: 1,
+            mode_loads: 0,
+        };
+        assert_eq!(none, expected);
         let infinite = GivenBody::held(square(2) * f64::NAN, Vec::new()).unwrap_err();
         assert_eq!(infinite.to_string(), "the compliance is not finite");
     }

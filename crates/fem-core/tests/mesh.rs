@@ -201,6 +201,11 @@ fn quadratic_cells_with_a_displaced_mid_side_node_are_refused()
 #[test]
 fn sets_must_name_existing_things_once() {
     let node = refusal(|parts| drop(parts.node_sets.insert("far".to_owned(), vec![0, 6])));
+    let text = node.to_string();
+    assert!(
+        text.contains("contains node 6, but there are only 6"),
+        "{text}"
+    );
     assert!(matches!(
         node,
         MeshError::SetOutOfRange { family: "node", set, what, count: 6 } if set == "far" && what == "node 6"

@@ -18,10 +18,10 @@ const SLACK: f64 = 1e-9;
 #[non_exhaustive]
 pub enum TriangulationError {
     /// No place is valid.
-    #[error("there are none")]
+    #[error("no place is valid")]
     NoPlaces,
-    /// All places are one, or they lie too far apart.
-    #[error("their extent is {0}")]
+    /// The larger extent of the places along x or y `[length]`: 0 where all are one, infinite where they lie too far apart.
+    #[error("the extent of the places is {0}; it must be finite and more than 0")]
     Extent(f64),
     /// Places coincide.
     #[error("only {distinct} of {count} places are distinct")]
@@ -32,7 +32,7 @@ pub enum TriangulationError {
         count: usize,
     },
     /// The places span no plane.
-    #[error("all {0} lie on one line")]
+    #[error("all {0} places lie on one line")]
     OnOneLine(usize),
     /// The library for triangulations refuses a place, in its own words.
     #[error("{0}")]

@@ -312,6 +312,11 @@ fn what_cannot_be_fitted_is_refused() {
         logarithmic,
     };
     assert_eq!(reversed, range([1.0, 0.0], false));
+    let text = reversed.to_string();
+    assert!(
+        text.contains("from 1 to 0") && text.ends_with("it must increase"),
+        "{text}"
+    );
     let zero = run(&[Parameter::new("a", [0.0, 1.0]).logarithmic()], &standard);
     assert_eq!(zero, range([0.0, 1.0], true));
     assert!(zero.to_string().ends_with("be positive, being logarithmic"));

@@ -1,9 +1,10 @@
 //! Files of other programs where a scene is expected, and scenes that name them.
 
-use std::error::Error;
+use std::io;
 use std::path::Path;
 
-use stickslip_mesh_files::{Coincident, Foreign, Format, Imported, read_with};
+use stickslip_mesh_files::{Coincident, Foreign, Format, Imported, ReadError, read_with};
+use thiserror::Error;
 
 use crate::diagnostic::SceneProblem;
 use crate::host::Host;
@@ -11,6 +12,14 @@ use crate::limits::Content;
 
 /// A scene of a mesh that is held and pulled at two of its edges.
 const EXAMPLE: &str = include_str!("foreign/part.toml");
+
+/// Why there is no mesh of a file.
+#[derive(Debug, Error)]
+#[error(transparent)]
+enum ImportedError {
+    File(#[from] io::Error),
+    Mesh(#[from] ReadError),
+}
 
 /// That the file at `path` is `foreign`, with a scene that names it.
 pub(crate) fn problem(path: &Path, foreign: Foreign, host: Host) -> SceneProblem {
@@ -53,7 +62,7 @@ pub(crate) fn problem(path: &Path, foreign: Foreign, host: Host) -> SceneProblem
 }
 
 /// The mesh of a file, otherwise why there is none.
-fn imported(path: &Path, format: Format, host: Host) -> Result<Imported, Box<dyn Error>> {
+fn imported(path: &Path, format: Format, host: Host) -> Result<Imported, ImportedError> {
     let text = host.read_text(path, Content::Table)?;
     let include = |name: &str| host.read_included(path, name, Content::Table);
     Ok(read_with(&text, format, &include, Coincident::Allow)?)

@@ -350,7 +350,10 @@ mod tests {
             spacing: 1.0,
         };
         assert_eq!(error, apart);
-        assert!(error.to_string().starts_with("nodes 1 and 2 "));
+        assert_eq!(
+            error.to_string(),
+            "nodes 1 and 2 are 1 rad apart: 1e-7 to 0.785 are possible"
+        );
         assert!(matches!(
             Nodes::arc(vec![0.0, f64::NAN]),
             Err(SeriesError::Angle { angle }) if angle.is_nan()

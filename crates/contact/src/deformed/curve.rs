@@ -8,7 +8,7 @@ use thiserror::Error;
 use super::slopes::slopes;
 
 /// Why nodes make no curve.
-#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum CurveError {
     /// Nodes and parameters differ in number.
@@ -28,8 +28,17 @@ pub enum CurveError {
         order: usize,
     },
     /// A parameter is not above the one before it, or beyond the period.
-    #[error("the parameter does not ascend")]
-    NotAscending,
+    #[error(
+        "the parameter goes from {from} to {to} after node {node} of the curve; it must ascend"
+    )]
+    NotAscending {
+        /// Position of the node along the curve, from 0.
+        node: usize,
+        /// Parameter there, in the unit given.
+        from: f64,
+        /// Parameter at the next node, or where the period ends, in the unit given.
+        to: f64,
+    },
 }
 
 /// An undeformed edge with the nodes at which its displacements are known.
@@ -119,9 +128,11 @@ impl Curve {
         let closed = ends == CurveEnds::Closed;
         let closing = closed.then_some(&end);
         let next = parameter[1..].iter().chain(closing);
-        let ascends = |(at, next): (&f64, &f64)| at < next;
-        if !parameter.iter().zip(next).all(ascends) {
-            return Err(CurveError::NotAscending);
+        for (node, (&from, &to)) in parameter.iter().zip(next).enumerate() {
+            let ascends = from < to;
+            if !ascends {
+                return Err(CurveError::NotAscending { node, from, to });
+            }
         }
         Ok(Self {
             slopes: slopes(&parameter, order, closed, order == 1),
@@ -459,7 +470,14 @@ mod tests {
     #[test]
     fn nodes_that_make_no_cells_are_refused() {
         assert!(level(&[0.0, 0.5, 1.0, 1.5], 2).is_err());
-        assert!(level(&[0.0, 0.5, 0.5], 2).is_err());
+        let stays = level(&[0.0, 0.5, 0.5], 2).unwrap_err();
+        let expected = CurveError::NotAscending {
+            node: 1,
+            from: 0.5,
+            to: 0.5,
+        };
+        assert_eq!(stays, expected);
+        assert!(stays.to_string().contains("from 0.5 to 0.5 after node 1"));
         assert!(level(&[0.0, 0.5, 1.0], 0).is_err());
     }
 }

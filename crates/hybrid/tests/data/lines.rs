@@ -68,8 +68,16 @@ fn fringe_lines_are_refused_with_the_place() {
     };
     let error = |text: &str, reading: &LineReading| lines(text, reading).unwrap_err();
     let is_at = |file: &str, own: &str, name: &str| file == "u.csv" && own == name;
+    let back = error("line,x,y,order\na,0,0,1\na,2,0,3\na,1,0,2\n", &drawn);
+    let text = back.to_string();
+    for part in [
+        "by 180° at its fringe centre (2, 0)",
+        "in order along the line",
+    ] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
     assert!(matches!(
-        error("line,x,y,order\na,0,0,1\na,2,0,3\na,1,0,2\n", &drawn),
+        back,
         DataError::TurnsBack { file, row: Some(3), name, place: [2.0, 0.0], angle } if is_at(&file, &name, "a") && (angle - 180.0).abs() < 1e-9
     ));
     assert!(matches!(

@@ -150,8 +150,9 @@ fn bad_tables_are_refused() {
         DataError::NotANumber { line: 2, column, value, remedy, .. }
             if column == "x" && value.is_empty() && remedy.contains("NaN for the displacement")
     ));
+    let short = refusal("x,y,u,v\n1,2,3\n");
     assert!(matches!(
-        refusal("x,y,u,v\n1,2,3\n"),
+        short,
         DataError::RowLength {
             line: 2,
             fields: 3,
@@ -160,20 +161,29 @@ fn bad_tables_are_refused() {
             ..
         }
     ));
+    says(
+        &short,
+        &[
+            "3 fields, the header has 4",
+            "complete the row or remove it",
+        ],
+    );
     says(&refusal("x,y,u,v\n1,2,inf,4\n"), &["'inf' is not finite"]);
+    let repeated = refusal("x,y,u,v,U\n1,2,3,4,5\n");
+    says(&repeated, &["line 1 names column 'u' 2 times", "rename"]);
     assert!(matches!(
-        refusal("x,y,u,v,U\n1,2,3,4,5\n"),
+        repeated,
         DataError::RepeatedColumn { column, times: 2, .. } if column == "u"
     ));
-    assert!(matches!(
-        refusal("x,y,u,v\n1,2,nan,\n1,3,,NaN\n"),
-        DataError::AllMasked { rows: 2, .. }
-    ));
+    let masked = refusal("x,y,u,v\n1,2,nan,\n1,3,,NaN\n");
+    says(&masked, &["none of 2 points", "look at the flag column"]);
+    assert!(matches!(masked, DataError::AllMasked { rows: 2, .. }));
     for text in ["", "\n# nothing\n", "x,y,u,v\n"] {
         assert!(matches!(refusal(text), DataError::Empty { .. }));
     }
     let no_scale = read(DICE, &Format::dice(), &Reading::default()).unwrap_err();
     assert!(matches!(no_scale, DataError::NoScale { .. }), "{no_scale}");
+    says(&no_scale, &["in pixels", "state the length of one pixel"]);
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let wrong = read(DICE, &Format::dice(), &pixels(scale)).unwrap_err();
         assert!(

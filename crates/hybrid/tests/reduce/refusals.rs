@@ -139,7 +139,7 @@ fn bad_settings_and_data_are_refused() {
         [0.0; 2]
     });
     for (m, words) in [
-        (&row, "all 3 lie on one line"),
+        (&row, "all 3 places lie on one line"),
         (&twice, "only 3 of 4 places are distinct"),
     ] {
         let error = Reduction::linear(m, &place, &[0], Some(1.0)).unwrap_err();

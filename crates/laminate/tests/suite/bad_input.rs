@@ -72,6 +72,8 @@ fn laminates_name_layer_and_ply() {
             known
         }
     );
+    let text = unknown.to_string();
+    assert!(text.contains("layer 2 names ply 'glass'"), "{text}");
     let huge = PlyConstants {
         e1: 1e308,
         e2: 1e308,

@@ -256,6 +256,8 @@ fn loads_that_do_not_fit_are_refused() {
         what: "the force along y",
         value: 2.0,
     };
+    let text = across.to_string();
+    assert!(text.contains("case 0: the force along y is 2"), "{text}");
     assert_eq!(error(push, false), across);
     let on_support = |what| SeriesError::LoadOnSupport { case: 0, what };
     assert_eq!(error(push, true), on_support("the force"));
@@ -268,6 +270,8 @@ fn loads_that_do_not_fit_are_refused() {
         what: "the displacement along x",
         value: f64::INFINITY,
     };
+    let text = infinite.to_string();
+    assert!(text.contains("case 0: the displacement along x is inf"));
     assert_eq!(error(moved, true), infinite);
     let floats = SeriesError::NoSupport {
         case: 0,
@@ -280,6 +284,11 @@ fn loads_that_do_not_fit_are_refused() {
         ratio: 0.5,
         largest: 0.25,
     };
+    let text = too_large.to_string();
+    assert!(
+        text.contains("has 0.5 of") && text.contains("at most 0.25 are"),
+        "{text}"
+    );
     assert_eq!(refused.unwrap_err(), too_large);
     let far = FarLoad {
         force: [1.0, 0.0],

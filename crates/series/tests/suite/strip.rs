@@ -140,13 +140,13 @@ fn outlines_that_hold_no_series_are_refused() {
     let half = || Nodes::uniform_half(31).unwrap();
     let error = |outline: &Outline| make(outline, half(), &[]);
     let text = |outline: &Outline| error(outline).to_string();
-    assert_eq!(
-        error(&Outline::strip(1.0, 0.3, 1.0)),
-        SeriesError::HoleOutside {
-            distance: 0.3,
-            radius: 0.375
-        }
-    );
+    let outside = SeriesError::HoleOutside {
+        distance: 0.3,
+        radius: 0.375,
+    };
+    assert_eq!(error(&Outline::strip(1.0, 0.3, 1.0)), outside);
+    let said = outside.to_string();
+    assert!(said.contains("within 0.3 of the hole's centre") && said.ends_with("reaches 0.375"));
     let behind = error(&Outline::strip(1.0, -0.5, 1.0));
     assert!(matches!(
         behind,
@@ -166,14 +166,14 @@ fn outlines_that_hold_no_series_are_refused() {
     assert_eq!(error(&skew), SeriesError::NotMirrored);
     let strip = Outline::strip(1.0, 1.0, 1.0);
     let load = |edge, force| vec![vec![EdgeLoad { edge, force }]];
-    assert_eq!(
-        make(&strip, half(), &load(4, [1.0, 0.0])),
-        SeriesError::UnknownEdge {
-            case: 0,
-            edge: 4,
-            edges: 4
-        }
-    );
+    let unknown = SeriesError::UnknownEdge {
+        case: 0,
+        edge: 7,
+        edges: 4,
+    };
+    assert_eq!(make(&strip, half(), &load(7, [1.0, 0.0])), unknown);
+    let said = unknown.to_string();
+    assert!(said.contains("4 edges, none with the index 7"), "{said}");
     assert!(matches!(
         make(&strip, half(), &load(2, [0.0, 1.0])),
         SeriesError::NotSymmetric { case: 0, what, .. } if what.starts_with("the traction of an edge less")
@@ -183,8 +183,10 @@ fn outlines_that_hold_no_series_are_refused() {
         SeriesError::LoadNotFinite { case: 0, what: "a force along x", value } if value.is_nan()
     ));
     let long = Outline::strip(200.0, 200.0, 1.0);
-    assert!(matches!(
-        make(&long, half(), &load(1, [1.0, 0.0])),
-        SeriesError::NotFitted { .. }
-    ));
+    let misfit = make(&long, half(), &load(1, [1.0, 0.0]));
+    let SeriesError::NotFitted { degree, residual } = misfit else {
+        panic!("{misfit}");
+    };
+    let numbers = format!("degree {degree} leave {residual:.1e} of the mean traction");
+    assert!(misfit.to_string().contains(&numbers), "{misfit}");
 }

@@ -30,7 +30,6 @@ pub enum SweepError {
         /// Line, from 1.
         line: u64,
         /// What is wrong.
-        #[source]
         cause: RowError,
     },
     /// A row cannot be written.

@@ -100,7 +100,7 @@ fn a_second_pin_in_a_hole() {
         second,
         &[
             "plate.hole is in contact 'pin' already",
-            "a bushing touches with",
+            "a bushing touches with its hole and its outer edge",
             "joined by [fasteners.NAME]",
         ],
     );

@@ -105,5 +105,5 @@ fn fringe_lines_of_the_back_need_the_names_of_the_front() {
         assert_eq!(reported, (&field.into(), &json!(["b"]), &"remark".into()));
     }
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
-    assert!(page.contains("lines b of the U field are not"));
+    assert!(page.contains("lines b of the U field are not on the back"));
 }

@@ -58,7 +58,7 @@ fn a_pressure_within_its_uncertainty_is_not_identifiable_rather_than_none() {
     assert!(words.unwrap().starts_with("not identifiable"), "{summary}");
     let page = std::fs::read_to_string(path.join("mine-results/index.html")).unwrap();
     assert!(
-        page.contains("no pressure on the edge exceeds its"),
+        page.contains("no pressure on the edge exceeds its uncertainty"),
         "{page}"
     );
     assert!(!page.contains("no contact"), "{page}");

@@ -126,7 +126,7 @@ fn signs_that_were_assumed_are_reported() {
         &signs(&[]),
         &[
             "tables points up;",
-            "u and v count along",
+            "u and v count along its x and y",
             "neither is `reversed`",
         ],
     );
@@ -155,10 +155,10 @@ fn a_null_field_with_other_signs_is_reported() {
         &String::from_utf8(output.stdout).unwrap(),
         &[
             "Signs of up: y of",
-            "table points up; u and v count along",
+            "table points up; u and v count along its x and y",
             "as neither is `reversed`; the null field: y of",
-            "table points up; u and v count against",
-            "as both are",
+            "table points up; u and v count against its x and y",
+            "as both are `reversed`",
         ],
     );
 }

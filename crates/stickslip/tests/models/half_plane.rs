@@ -249,7 +249,7 @@ fn what_is_no_half_plane_is_refused() {
                 "loads.1.force.direction=[0, -1]",
                 "analysis.model=whole",
             ],
-            "along x, and so is its partner",
+            "is held along x, and so is its partner",
         ),
     ] {
         let found = refused(&changes);

@@ -270,7 +270,7 @@ fn the_choice_is_said_with_its_reason() {
     );
     let reason = &discretisation(&shifted)[1];
     assert!(
-        reason.contains("pin.rim lie up to 5.000° apart"),
+        reason.contains("plate.hole and pin.rim lie up to 5.000° apart"),
         "{reason}"
     );
     // Cells of another kind on the same nodes still match.

@@ -7,12 +7,12 @@ fn names_that_were_meant_are_suggested() {
     let problem = SceneProblem::UnknownKey {
         key: "yung".to_owned(),
         nearest: Some("young".to_owned()),
-        known: vec!["young".to_owned(), "x".to_owned()],
+        known: vec!["young".to_owned(), "poisson".to_owned()],
     };
     let help = problem.help().map(|help| help.to_string());
     assert_eq!(
         help.as_deref(),
-        Some("did you mean 'young'? known keys here: young, x")
+        Some("did you mean 'young'? known keys here: young, poisson")
     );
 }
 
@@ -31,7 +31,7 @@ fn backticks_are_around_code_only() {
         Some("add for example `scale = \"1 mm\"`")
     );
     assert_eq!(
-        help("`scale = \"1 mm\"`, per pixel").as_deref(),
-        Some("add for example `scale = \"1 mm\"`, per pixel")
+        help("`scale = \"1 mm\"`, the length of a pixel").as_deref(),
+        Some("add for example `scale = \"1 mm\"`, the length of a pixel")
     );
 }
