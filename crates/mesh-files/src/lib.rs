@@ -20,7 +20,8 @@
 //! let text = "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n\
 //!             *ELEMENT, TYPE=CPS4, ELSET=plate\n10, 1, 2, 3, 4\n\
 //!             *NSET, NSET=left\n4, 1\n";
-//! let file = read(text, Format::Abaqus, &|name| Err(format!("no file {name}")))?;
+//! let no_includes = |name: &str| Err(std::io::Error::other(format!("no file {name}")));
+//! let file = read(text, Format::Abaqus, &no_includes)?;
 //! assert_eq!(file.parts.edge_sets["left"].edges.len(), 1);
 //! assert_eq!(file.cell_numbers, [10]);
 //! # Ok::<(), stickslip_mesh_files::ReadError>(())
