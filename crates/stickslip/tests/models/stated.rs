@@ -198,7 +198,8 @@ fn what_has_no_error_is_not_reached() {
     ] {
         let is_reached = !accuracy.contains("1e-5");
         let accuracy = format!("analysis.accuracy={accuracy}");
-        let found = solved(&text, &[&[accuracy.as_str()], &ELEMENTS[..]].concat());
+        let changes = [&[accuracy.as_str(), "analysis.memory=60 MB"], &ELEMENTS[..]];
+        let found = solved(&text, &changes.concat());
         let end = found.ladder.as_ref().unwrap().end;
         assert_eq!(end == LadderEnd::Unstated, is_reached, "{end:?}");
         assert_ne!(end, LadderEnd::Reached);
