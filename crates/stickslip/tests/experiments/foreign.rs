@@ -93,7 +93,10 @@ fn two_states_with_the_same_data_are_reported() {
     let null = "null.table = { file = \"up.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }\n";
     fs::write(path.join("e.toml"), format!("{TABLE}{null}")).unwrap();
     let error = fails(path, &["check", "e.toml"]);
-    assert!(error.contains("null field has the data of the state itself"), "{error}");
+    assert!(
+        error.contains("null field has the data of the state itself"),
+        "{error}"
+    );
 }
 
 #[test]
