@@ -30,7 +30,7 @@ pub struct Imports {
 }
 
 /// What one file takes from another.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Edge {
     names: BTreeSet<String>,
     /// Whether the other file is a module above this one.
@@ -99,13 +99,24 @@ impl Imports {
 
     fn add(&mut self, place: &Place, module: &Module, (target, file): (&Place, &str), name: &str) {
         if file != module.file {
-            let edge = self
-                .edges
-                .entry((module.file.clone(), file.to_owned()))
-                .or_default();
-            edge.names.insert(name.to_owned());
-            edge.upward = place.starts_with(target);
+            let ends = (module.file.clone(), file.to_owned());
+            self.join(ends, [name.to_owned()], place.starts_with(target));
         }
+    }
+
+    /// Adds an import to what one file takes from another, upward only if all of it is.
+    fn join(
+        &mut self,
+        ends: (String, String),
+        names: impl IntoIterator<Item = String>,
+        upward: bool,
+    ) {
+        let edge = self.edges.entry(ends).or_insert_with(|| Edge {
+            names: BTreeSet::new(),
+            upward: true,
+        });
+        edge.names.extend(names);
+        edge.upward &= upward;
     }
 
     /// The imports between the top-level modules, each with all files below it.
@@ -115,12 +126,7 @@ impl Imports {
         for ((from, to), edge) in &self.edges {
             let (from, to) = (module_of(from), module_of(to));
             if from != to {
-                let joined = between.edges.entry((from, to)).or_insert_with(|| Edge {
-                    names: BTreeSet::new(),
-                    upward: true,
-                });
-                joined.names.extend(edge.names.iter().cloned());
-                joined.upward &= edge.upward;
+                between.join((from, to), edge.names.iter().cloned(), edge.upward);
             }
         }
         between

@@ -68,8 +68,8 @@ pub(super) fn hold(
         None if driven => first_turned(turning, unbalanced).unwrap_or(pressed),
         None => pressed,
     };
-    let scales = Scales::of(step, &frozen.forces, &frozen.motion);
-    if held.is_empty() && speed > ACCEPTED * scales.force {
+    let scale = || Scales::of(step, &frozen.forces, &frozen.motion).force;
+    if held.is_empty() && speed > ACCEPTED * scale() {
         return Err(FailureCause::Unbalanced {
             part: part_of_load(step, &DVector::from_column_slice(direction)),
             motion: direction.to_vec(),
