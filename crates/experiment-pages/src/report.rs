@@ -23,13 +23,13 @@ pub enum ReportError {
     #[error(transparent)]
     Put(#[from] Box<dyn std::error::Error + Send + Sync>),
     /// The page.
-    #[error("the page cannot be written: {0}")]
+    #[error("the page cannot be written")]
     Page(#[from] PageError),
     /// The summary.
-    #[error("the summary cannot be written: {0}")]
+    #[error("the summary cannot be written")]
     Summary(#[from] serde_json::Error),
     /// A figure as PNG.
-    #[error("the figure '{name}' cannot be drawn as PNG: {cause}")]
+    #[error("the figure '{name}' cannot be drawn as PNG")]
     Picture {
         /// Name of the figure.
         name: String,

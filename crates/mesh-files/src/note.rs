@@ -139,13 +139,15 @@ impl fmt::Display for Note {
             Self::UnusedNodes { count, first } => {
                 write!(
                     out,
-                    "{count} nodes of no cell dropped, the first is {first}"
+                    "{} of no cell dropped, the first is {first}",
+                    counted(*count, "node")
                 )
             }
             Self::DroppedMembers { family, set, count } => {
                 write!(
                     out,
-                    "{family} set '{set}': {count} members of no cell dropped"
+                    "{family} set '{set}': {} of no cell dropped",
+                    counted(*count, "member")
                 )
             }
             Self::DroppedSet { family, set } => {
@@ -157,7 +159,8 @@ impl fmt::Display for Note {
             Self::Turned { count, first } => {
                 write!(
                     out,
-                    "{count} clockwise elements turned, the first is {first}"
+                    "{} turned, the first is {first}",
+                    counted(*count, "clockwise element")
                 )
             }
             Self::Repeated {
@@ -167,14 +170,23 @@ impl fmt::Display for Note {
             } => {
                 write!(
                     out,
-                    "{count} {family}s are repeated, the first is {first}; each is taken once"
+                    "{} repeated, the first is {first}; each is taken once",
+                    counted(*count, family)
                 )
             }
             Self::Unnamed { what, count } => {
-                write!(out, "{count} {what} elements in no set passed over")
+                write!(
+                    out,
+                    "{} in no set passed over",
+                    counted(*count, &format!("{what} element"))
+                )
             }
             Self::InnerEdges { set, count } => {
-                write!(out, "edge set '{set}': {count} edges lie inside the mesh")
+                write!(
+                    out,
+                    "edge set '{set}': {} inside the mesh",
+                    counted(*count, "edge")
+                )
             }
             Self::EdgesFromNodes { sets } => {
                 let names: Vec<&str> = sets.iter().map(String::as_str).collect();
@@ -199,11 +211,18 @@ impl fmt::Display for Note {
             Self::OfAssembly { at, count } => {
                 write!(
                     out,
-                    "{count} lines on nodes and elements of the assembly passed over, the first is {at}"
+                    "{} on nodes and elements of the assembly passed over, the first is {at}",
+                    counted(*count, "line")
                 )
             }
             Self::Renamed { name, to } => write!(out, "set '{name}' is called '{to}'"),
             Self::Flawed { count, worst, flaw } => flaw.write_note(out, *count, *worst),
         }
     }
+}
+
+/// "1 node", "2 nodes".
+fn counted(count: usize, one: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {one}{plural}")
 }

@@ -90,7 +90,7 @@ fn keywords_of_the_analysis_are_noted_with_their_lines() {
         "*MATERIAL passed over: line 41",
         "*BOUNDARY passed over: line 46",
         "*NODE PRINT passed over: line 48",
-        "node set 'Nall': 1 members of no cell dropped",
+        "node set 'Nall': 1 member of no cell dropped",
     ] {
         assert!(
             shown.iter().any(|note| note == expected),

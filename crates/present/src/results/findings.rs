@@ -19,6 +19,7 @@ use stickslip_engine::results::{
 };
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_scene::shape::FileNote;
+use stickslip_scene::units::Unit;
 use stickslip_text::{short, tidy};
 
 pub use joint::joint_sentence;
@@ -67,7 +68,7 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
             residual,
             usual,
         } => unbalanced(steps, *residual, *usual),
-        Finding::MeshFile { body, notes } => mesh_file(body, notes),
+        Finding::MeshFile { body, notes } => mesh_file(body, notes, units.length),
         Finding::MovedIntoHole {
             body,
             hole,
@@ -360,8 +361,8 @@ fn no_other_solver(too_dear: &[usize], limit: f64, unsolved: &[usize]) -> String
     )
 }
 
-fn mesh_file(body: &str, notes: &[FileNote]) -> String {
-    let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
+fn mesh_file(body: &str, notes: &[FileNote], unit: &Unit) -> String {
+    let notes: Vec<String> = notes.iter().map(|note| note.text(unit)).collect();
     format!("The mesh of '{body}': {}.", notes.join("; "))
 }
 

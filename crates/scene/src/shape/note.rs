@@ -4,6 +4,9 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 use stickslip_mesh_files::Note;
+use stickslip_text::counted;
+
+use crate::units::{Length, Unit, UnitName};
 
 /// Something of the file of a mesh that was passed over, or nodes of it that were moved. Serialised as its text.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,40 +53,47 @@ pub enum FileCurve {
     Spline,
 }
 
-impl fmt::Display for FileNote {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl FileNote {
+    /// The note as a part of a sentence, with lengths in `unit`.
+    pub fn text(&self, unit: &Unit) -> String {
         match self {
-            Self::Read(note) => note.fmt(out),
+            Self::Read(note) => note.to_string(),
             Self::MidNodes { edge, moved, onto } => {
-                write!(
-                    out,
-                    "{moved} mid nodes of '{edge}' were put from chords onto its {onto}"
-                )
+                let onto = match onto {
+                    FileCurve::Circle(radius) => format!("circle of radius {}", unit.show(*radius)),
+                    FileCurve::Arcs => "arcs".to_owned(),
+                    FileCurve::Spline => "spline".to_owned(),
+                };
+                let (nodes, were) = (counted(*moved, "mid node"), were(*moved));
+                format!("{nodes} of '{edge}' {were} put from chords onto its {onto}")
             }
             Self::DeclaredCircle {
                 edge,
                 moved,
                 radius,
                 residual,
-            } => write!(
-                out,
-                "{moved} nodes of '{edge}' were put onto its circle of radius {radius:.6} mm, from which its corners were up to {residual:.2e} mm away"
+            } => format!(
+                "{} of '{edge}' {} put onto its circle of radius {}, from which its corners were up to {:.2e} {} away",
+                counted(*moved, "node"),
+                were(*moved),
+                unit.show(*radius),
+                unit.from_base(*residual),
+                unit.name
             ),
-            Self::NoSpline { edge } => write!(
-                out,
-                "'{edge}' of `splines` is a line or a circle, and stays one"
-            ),
+            Self::NoSpline { edge } => {
+                format!("'{edge}' of `splines` is a line or a circle, and stays one")
+            }
         }
     }
 }
 
-impl fmt::Display for FileCurve {
+fn were(count: usize) -> &'static str {
+    if count == 1 { "was" } else { "were" }
+}
+
+impl fmt::Display for FileNote {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Circle(radius) => write!(out, "circle of radius {radius:.6} mm"),
-            Self::Arcs => out.write_str("arcs"),
-            Self::Spline => out.write_str("spline"),
-        }
+        out.write_str(&self.text(UnitName::<Length>::base().unit()))
     }
 }
 

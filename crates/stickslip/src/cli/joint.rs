@@ -72,7 +72,7 @@ enum JointError {
         help("check that the folder and its files can be read and written")
     )]
     File { path: String, cause: String },
-    #[error("'{path}' cannot be written: {cause}")]
+    #[error("'{path}' cannot be written")]
     #[diagnostic(
         code(joint::table),
         help("make room on the disk, and go on with --resume")
@@ -82,7 +82,7 @@ enum JointError {
         #[source]
         cause: csv::Error,
     },
-    #[error("the figure '{name}' cannot be drawn as PNG: {cause}")]
+    #[error("the figure '{name}' cannot be drawn as PNG")]
     #[diagnostic(code(joint::picture))]
     Picture {
         name: String,
@@ -92,7 +92,7 @@ enum JointError {
     #[error(transparent)]
     #[diagnostic(code(joint::folder))]
     Folder(#[from] FolderError),
-    #[error("the page cannot be written: {0}")]
+    #[error("the page cannot be written")]
     #[diagnostic(code(joint::page))]
     Page(#[from] PageError),
     #[error(transparent)]

@@ -33,7 +33,7 @@ pub enum SweepError {
         cause: RowError,
     },
     /// A row cannot be written.
-    #[error("the table cannot be written: {cause}")]
+    #[error("the table cannot be written")]
     #[diagnostic(
         code(sweep::write),
         help("make room on the disk, and go on with --resume")
@@ -44,7 +44,7 @@ pub enum SweepError {
         cause: csv::Error,
     },
     /// No threads.
-    #[error("a worker cannot be started: {cause}")]
+    #[error("a worker cannot be started")]
     #[diagnostic(code(sweep::threads), help("ask for fewer workers with --jobs"))]
     Workers {
         /// Its reason.
