@@ -76,7 +76,7 @@ mod curve;
 mod geometry;
 mod slopes;
 
-use nalgebra::DVector;
+use nalgebra::{DVector, Matrix2};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::mesh::Point;
 
@@ -126,6 +126,8 @@ pub struct DeformedGaps<'a> {
     facings: Vec<&'a Facing>,
     /// Whether each body is free to turn.
     turning: Vec<bool>,
+    /// What the contact points of each body make of its translations; empty where they follow them.
+    translated: Vec<Vec<Matrix2<f64>>>,
 }
 
 impl<'a> DeformedGaps<'a> {
@@ -176,15 +178,23 @@ impl<'a> DeformedGaps<'a> {
             bodies: bodies.to_vec(),
             facings: facings.iter().collect(),
             turning: bodies.iter().map(|body| is_free_to_turn(*body)).collect(),
+            translated: vec![Vec::new(); bodies.len()],
         })
     }
 
-    /// The same where `turning` says which bodies are free to turn: means over hats of a translation are not uniform.
-    pub(crate) fn turning(self, turning: &[bool]) -> Self {
+    /// The same where `turning` says which bodies are free to turn, and `translated` what their points make of translations: means over hats are not uniform.
+    pub(crate) fn of_means(self, turning: &[bool], translated: Vec<Vec<Matrix2<f64>>>) -> Self {
         Self {
             turning: turning.to_vec(),
+            translated,
             ..self
         }
+    }
+
+    /// What the contact point `point` of `body` makes of a translation.
+    fn translated(&self, body: usize, point: usize) -> Matrix2<f64> {
+        let own = self.translated[body].get(point);
+        own.copied().unwrap_or_else(Matrix2::identity)
     }
 
     pub(crate) fn facings(&self) -> &[&'a Facing] {
@@ -200,6 +210,9 @@ impl<'a> DeformedGaps<'a> {
                 .bodies
                 .iter()
                 .map(|&body| self.turning[body])
+                .collect(),
+            translated: (group.bodies.iter())
+                .map(|&body| self.translated[body].clone())
                 .collect(),
         }
     }

@@ -153,7 +153,9 @@ impl Thinned {
         }
         let pairs = self.interface.contacts().pairs();
         let gaps = DeformedGaps::new(&faces(&self.bodies), pairs, &self.facings)?;
-        Ok(Kinematics::DeformedGaps(gaps.turning(&self.turning)))
+        let translated = self.bodies.iter().map(ThinnedBody::translated).collect();
+        let gaps = gaps.of_means(&self.turning, translated);
+        Ok(Kinematics::DeformedGaps(gaps))
     }
 }
 

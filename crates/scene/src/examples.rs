@@ -12,7 +12,7 @@ pub(super) fn example(key: &str) -> String {
     let value = match name {
         // Tables of scenes that have keys of their own.
         "bodies" => return "`[bodies.plate]` with its shape, thickness and material".to_owned(),
-        "mesh" => return "[mesh] spacing = \"2 deg\"".to_owned(),
+        "mesh" => return "`[mesh]` with spacing = \"2 deg\"".to_owned(),
         // Keys of experiments.
         "radius" => "\"5 mm\"",
         "element" => "\"Q8\"",

@@ -1,6 +1,6 @@
 //! Contact points at given displacements of the bodies.
 
-use nalgebra::DVector;
+use nalgebra::{DVector, Matrix2, Vector2};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::mesh::Point;
 
@@ -133,7 +133,7 @@ impl Geometry {
 fn motion(stencil: &Stencil, normal: [f64; 2], moved: &DVector<f64>) -> [f64; 2] {
     let frame = frame(normal);
     let terms = stencil.terms().iter();
-    let sum = terms.fold(nalgebra::Vector2::zeros(), |sum, term| {
+    let sum = terms.fold(Vector2::zeros(), |sum, term| {
         sum + term.matrix() * (frame * moved.fixed_rows::<2>(2 * term.node))
     });
     [sum[0], sum[1]]
@@ -158,17 +158,39 @@ struct Turn {
 }
 
 impl Turn {
-    fn new(places: impl Iterator<Item = Point>, centre: Point, pair: &ContactPair) -> Self {
-        let arms = places.map(|[x, y]| [x - centre[0], y - centre[1]]);
-        let arms: Vec<Point> = arms.collect();
-        let areas = || pair.points.iter().map(|point| point.area);
-        let whole: f64 = (arms.iter().zip(areas()))
-            .map(|([x, y], area)| area * (x * x + y * y))
+    /// That of the points of `pair` at `places`, whose displacements by a translation are `translated`. A translation is no turn: areas and places are those of one edge only where
+    /// nodes stand at equal angles on both.
+    fn new(
+        places: impl Iterator<Item = Point>,
+        centre: Point,
+        pair: &ContactPair,
+        translated: impl Fn(usize) -> Matrix2<f64>,
+    ) -> Self {
+        let arms: Vec<Vector2<f64>> = places
+            .map(|[x, y]| Vector2::new(x - centre[0], y - centre[1]))
+            .collect();
+        let all = || (pair.points.iter().zip(&arms)).enumerate();
+        let across = |arm: &Vector2<f64>| Vector2::new(-arm.y, arm.x);
+        let (mut resultant, mut whole) = (Vector2::zeros(), Matrix2::zeros());
+        for (k, (point, arm)) in all() {
+            let by = translated(k);
+            resultant += by.transpose() * across(arm) * point.area;
+            whole += by.transpose() * by * point.area;
+        }
+        let drift = whole
+            .try_inverse()
+            .map_or_else(Vector2::zeros, |own| own * resultant);
+        let weights: Vec<Vector2<f64>> = all()
+            .map(|(k, (point, arm))| (across(arm) - translated(k) * drift) * point.area)
+            .collect();
+        let size: f64 = weights
+            .iter()
+            .zip(&arms)
+            .map(|(own, arm)| own.dot(&across(arm)))
             .sum();
-        let weight = |([x, y], area): (&Point, f64)| [-area * y / whole, area * x / whole];
         Self {
-            weights: arms.iter().zip(areas()).map(weight).collect(),
-            arms,
+            weights: weights.iter().map(|own| (own / size).into()).collect(),
+            arms: arms.into_iter().map(Into::into).collect(),
         }
     }
 
@@ -207,11 +229,13 @@ impl<'a> Edges<'a> {
             let [upper, lower] = [pair.first, pair.second].map(|body| gaps.bodies[body]);
             if gaps.turning[pair.first] {
                 let places = pair.points.iter().map(|point| upper.points()[node(point)]);
-                turns[0] = Some(Turn::new(places, first, pair));
+                let translated = |k: usize| gaps.translated(pair.first, node(&pair.points[k]));
+                turns[0] = Some(Turn::new(places, first, pair, translated));
             }
             if gaps.turning[pair.second] {
                 let places = curve.nodes().iter().map(|&node| lower.points()[node]);
-                turns[1] = Some(Turn::new(places, second, pair));
+                let translated = |k: usize| gaps.translated(pair.second, curve.nodes()[k]);
+                turns[1] = Some(Turn::new(places, second, pair, translated));
             }
         }
         for (turn, moved) in turns.iter().zip(&mut both) {
@@ -256,7 +280,7 @@ impl<'a> Edges<'a> {
                 let position = |node: usize| nodes.iter().position(|&own| own == node);
                 let as_nodes = stencil.terms().iter().fold([0.0; 2], |sum, term| {
                     let [x, y] = position(term.node).map_or([0.0; 2], |own| turn.arms[own]);
-                    let along = frame(point.normal) * nalgebra::Vector2::new(-y, x);
+                    let along = frame(point.normal) * Vector2::new(-y, x);
                     let weight = term.weights[0][0];
                     [sum[0] + weight * along[0], sum[1] + weight * along[1]]
                 });

@@ -101,6 +101,12 @@ impl ThinnedBody {
         found.map_or(0, |(_, offset)| *offset)
     }
 
+    /// What each hat makes of a translation of the body.
+    pub(crate) fn translated(&self) -> Vec<Matrix2<f64>> {
+        let sum = |terms: &Vec<(usize, Matrix2<f64>)>| terms.iter().map(|(_, matrix)| matrix).sum();
+        self.rows.iter().map(sum).collect()
+    }
+
     /// W u of the displacements `u` of the body's own nodes.
     pub(crate) fn mean(&self, u: &DVector<f64>) -> DVector<f64> {
         self.means(&DMatrix::from_column_slice(u.len(), 1, u.as_slice()))

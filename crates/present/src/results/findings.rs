@@ -104,8 +104,8 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
         Finding::AccuracyMissed { number, error, end } => accuracy_missed(number, *error, *end),
         Finding::ContactParts { steps } => format!(
             "In an increment of {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
-             the direction of that way. Give a step without load in between (steps = [\"1 kN\", \"0 N\", \"-1 kN\"]), from which only the way under \
-             force counts.",
+             the direction of that way. Where the load turns around, give a step without load in between (steps = [\"1 kN\", \"0 N\", \"-1 kN\"]), from \
+             which only the way under force counts.",
             load_steps(steps)
         ),
         Finding::FreeBody(own) => free::body(own, &quoted(&own.contacts)),

@@ -9,6 +9,7 @@ use crate::format::SceneFormat;
 use crate::friction;
 use crate::schema::{Contact, ContactFormat, GapKind, SetRef, Substance};
 use crate::shape::{Edge, Role, Touch};
+use crate::units::{Length, UnitName};
 
 /// Largest overlap of two circles, as a part of the hole's radius: small displacements hold far below it.
 const LARGEST_OVERLAP: f64 = 0.1;
@@ -252,7 +253,8 @@ impl Builder<'_> {
         let [hole_key, inner_key] = edges.map(|edge| self.radius_key(edge));
         let text = |key: &str, radius: f64| {
             let value = self.document.get(key).and_then(serde_json::Value::as_str);
-            value.map_or_else(|| format!("{radius} mm"), str::to_owned)
+            let base = || UnitName::<Length>::base().unit().show(radius);
+            value.map_or_else(base, str::to_owned)
         };
         let (hole_text, inner_text) = (text(&hole_key, hole), text(&inner_key, inner));
         // Differences are reported in the unit that the inner radius is written in.

@@ -65,6 +65,15 @@ pub(super) enum CommandError {
         )
     )]
     SceneGiven { path: String },
+    /// A scene where a sweep is asked for.
+    #[error("'{path}' is a scene, not a sweep")]
+    #[diagnostic(
+        code(joint::scene),
+        help(
+            "`stickslip run {path}` solves it; a sweep names it by scene = \"…\" and varies its keys along [[axes]], see docs/joint-sweeps.md"
+        )
+    )]
+    SceneForSweep { path: String },
     /// An experiment where a scene is asked for.
     #[error("'{path}' is an experiment, not a scene")]
     #[diagnostic(

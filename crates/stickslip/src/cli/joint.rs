@@ -18,7 +18,8 @@ use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use thiserror::Error;
 
 use super::console::Console;
-use super::failure::{Failure, OwnError};
+use super::experiment::{Kind, kind_of};
+use super::failure::{CommandError, Failure, OwnError};
 use super::folder::{of_a_sweep, results_folder};
 use super::interrupt::{INTERRUPTED, flag};
 use super::memory::host;
@@ -117,6 +118,12 @@ impl OwnError for JointError {}
 
 /// Solves all cases that the folder's table does not have yet.
 pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), Failure> {
+    let path = arguments.sweep.display().to_string();
+    match kind_of(&arguments.sweep) {
+        Some(Kind::Scene) => return Err(CommandError::SceneForSweep { path }.into()),
+        Some(Kind::Experiment) => return Err(CommandError::ExperimentGiven { path }.into()),
+        Some(Kind::Sweep) | None => {}
+    }
     let sweep = Sweep::from_file(
         &arguments.sweep,
         &arguments.overrides,

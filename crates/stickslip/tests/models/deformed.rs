@@ -1,11 +1,12 @@
 //! Gaps on the deformed geometry: `[analysis] kinematics = "deformed-gaps"`.
 
 use stickslip::model::{Model, ModelError};
-use stickslip::results::{Finding, Results};
+use stickslip::results::{Finding, Results, SetKind};
 use stickslip::run::{self, RunError};
 use stickslip::scene::{Format, Scene};
 
 use super::halves::ROLLER;
+use super::series::PIN as SERIES;
 use super::travel::JOINT;
 use super::{BUSHING, difference, scene, solved, tractions, upper};
 
@@ -368,4 +369,29 @@ fn wide_clearances_settle() {
             .iter()
             .any(|finding| matches!(finding, Finding::ContactParts { .. }))
     );
+}
+
+/// What holds a pin bears the loads, also where its nodes stand elsewhere than those of the hole, and are unequally far apart.
+#[test]
+fn a_soft_pin_bears_what_pulls_aside() {
+    let text = SERIES
+        .replace("substeps = 1\n", "")
+        .replace("\"210 GPa\"", "\"3 GPa\"")
+        .replace("4.99 mm", "4.95 mm")
+        .replace("pin.centre", "pin.section");
+    let aside = "loads.1={ on = \"plate.bottom\", force = { direction = [-20, -20], steps = [\"1 kN\", \"1 kN\", \"1 kN\"] } }";
+    let found = solved(&text, &[DEFORMED, aside, "analysis.accuracy=8 %"]);
+    let along = f64::sqrt(0.5) * 1e3;
+    for (step, pull) in found.steps.iter().zip([1e3, 4e3, 1.5e3]) {
+        for (set, motion) in found.sets.iter().zip(&step.sets) {
+            let (SetKind::Held { .. }, Some(motion)) = (set.kind, motion) else {
+                continue;
+            };
+            let expected = along + pull * set.along[0];
+            assert!(
+                (motion.force - expected).abs() < 1e-8 * (pull + along),
+                "{motion:?} {expected}"
+            );
+        }
+    }
 }
