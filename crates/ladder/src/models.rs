@@ -90,6 +90,8 @@ pub(super) struct Models<'a> {
     seating: Seating,
     /// What was made last.
     made: Option<Made>,
+    /// The model by which nodes were last found to have meshes, before bodies are seated.
+    draft: Option<Model>,
     /// On which geometry contact is found.
     pub(super) kinematics: KinematicsChoice,
     /// When a model is given up, on the clock of the scene's host `[s]`.
@@ -124,6 +126,7 @@ impl<'a> Models<'a> {
             graded: BTreeMap::new(),
             seating: Seating::default(),
             made: None,
+            draft: None,
             kinematics,
             until: None,
             stopped: false,
@@ -217,8 +220,11 @@ impl<'a> Models<'a> {
             let is_whole_line = matches!(domain, Domain::Line([from, _]) if from < 0.0);
             self.graded.insert(rung, graded(is_whole_line));
             // The lattice in the middle of a disk's mesh bears many more cells on one side than on the other only so far.
-            if domain == Domain::Circle && Model::build(&self.scene_of(rung).0).is_err() {
-                self.graded.insert(rung, graded(true));
+            if domain == Domain::Circle {
+                self.draft = Model::build(&self.scene_of(rung).0).ok();
+                if self.draft.is_none() {
+                    self.graded.insert(rung, graded(true));
+                }
             }
         }
     }
@@ -326,7 +332,8 @@ impl<'a> Models<'a> {
                 }
             }
             _ => {
-                let model = Model::build_on(scene, None, &seating.seats)?;
+                let draft = self.draft.take();
+                let model = Model::build_on(scene, draft.as_ref(), &seating.seats)?;
                 let assembled = Assembled::of(&model, progress)?;
                 Made {
                     rung,
