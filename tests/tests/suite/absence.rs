@@ -6,6 +6,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use stickslip_tests::source;
+
 /// Sources of the crates that take and return values only.
 const LIBRARIES: &[&str] = &[
     "crates/fem-core/src",
@@ -137,12 +140,12 @@ const PATHS: &[Absence] = &[
     Absence {
         what: "bodies, edges and contacts looked up by name behind the model",
         marks: &[
-            "body.name ==",
-            "edge.name ==",
-            "geometry.name ==",
-            "pair.name ==",
-            "contact.name ==",
-            "load.name ==",
+            "body.name==",
+            "edge.name==",
+            "geometry.name==",
+            "pair.name==",
+            "contact.name==",
+            "load.name==",
             "node_set",
             "edge_set",
             "edge_path",
@@ -308,41 +311,37 @@ fn letter(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_'
 }
 
-/// The code of a source: comments and the insides of text left out, and what follows a test module's attribute.
-fn code(source: &str) -> String {
-    // A test module inside the file ends it; `mod tests;` does not.
-    let modules = source.match_indices("#[cfg(test)]\nmod ");
-    let mut inside = modules.filter(|(at, mark)| {
-        let name = &source[at + mark.len()..];
-        name.chars().find(|c| "{;".contains(*c)) == Some('{')
-    });
-    let end = inside.next().map_or(source.len(), |(at, _)| at);
-    let bytes = &source.as_bytes()[..end];
-    let at = |k: usize, mark: &str| bytes[k.min(end)..].starts_with(mark.as_bytes());
-    let (mut kept, mut k) = (Vec::new(), 0);
-    while k < end {
-        if at(k, "//") {
-            k += bytes[k..].iter().take_while(|&&byte| byte != b'\n').count();
-        } else if at(k, "r#\"") {
-            k += 3;
-            while k < end && !at(k, "\"#") {
-                k += 1;
+/// The code of a source without tests, comments and what stands in literals, with spaces between words only.
+fn code(text: &str) -> String {
+    fn write(tokens: TokenStream, code: &mut String) {
+        for tree in tokens {
+            match tree {
+                TokenTree::Group(group) => {
+                    let [open, close] = match group.delimiter() {
+                        Delimiter::Parenthesis => ["(", ")"],
+                        Delimiter::Brace => ["{", "}"],
+                        Delimiter::Bracket => ["[", "]"],
+                        Delimiter::None => ["", ""],
+                    };
+                    code.push_str(open);
+                    write(group.stream(), code);
+                    code.push_str(close);
+                }
+                TokenTree::Ident(word) => {
+                    if code.bytes().last().is_some_and(letter) {
+                        code.push(' ');
+                    }
+                    code.push_str(&word.to_string());
+                }
+                TokenTree::Punct(sign) => code.push(sign.as_char()),
+                TokenTree::Literal(_) => code.push_str("\"\""),
             }
-            k += 2;
-        } else if at(k, "'\"'") || at(k, "'\\\"'") {
-            k += if at(k, "'\"'") { 3 } else { 4 };
-        } else if at(k, "\"") {
-            k += 1;
-            while k < end && !at(k, "\"") {
-                k += if at(k, "\\") { 2 } else { 1 };
-            }
-            k += 1;
-        } else {
-            kept.push(bytes[k]);
-            k += 1;
         }
     }
-    String::from_utf8_lossy(&kept).into_owned()
+    let tokens = source::code(text).unwrap_or_else(|cause| panic!("{cause}: {text}"));
+    let mut code = String::new();
+    write(tokens, &mut code);
+    code
 }
 
 /// Every path of the trees of `use` declarations, in full.
@@ -378,11 +377,12 @@ fn imported(code: &str) -> Vec<String> {
 
 /// Whether `text` holds `mark` as whole identifiers.
 fn mentions(text: &str, mark: &str) -> bool {
-    let bytes = text.as_bytes();
+    let goes_on = |left: &str, right: &str| {
+        left.bytes().last().is_some_and(letter) && right.bytes().next().is_some_and(letter)
+    };
     text.match_indices(mark).any(|(k, _)| {
-        let end = k + mark.len();
-        let open = mark.ends_with('!') || end == bytes.len() || !letter(bytes[end]);
-        open && (k == 0 || !letter(bytes[k - 1]))
+        let (before, after) = (&text[..k], &text[k + mark.len()..]);
+        !goes_on(before, mark) && !goes_on(mark, after)
     })
 }
 
@@ -510,13 +510,15 @@ fn libraries_re_export_the_crates_that_their_interface_holds() {
 
 #[test]
 fn sources_are_read_as_code() {
-    let marks: &[&str] = &["std::fs", "println!", "rayon"];
+    let marks: &[&str] = &["std::fs", "println!", "rayon", ".exists(", "edge.name=="];
     for clean in [
         "// std::fs\nlet x = \"std::fs \\\" std::fs\";",
         "//! [`println!`]",
         "let a = '\"'; // rayon\nlet b = r#\"rayon \"rayon\" \"#;",
         "use crate::std::fs_like; let crayon = my_println!();",
         "fn f() {}\n#[cfg(test)]\nmod tests { use std::fs; }",
+        "fn f() { path.exists_not() }",
+        "let x = ledge.name == name && edge.names == name;",
     ] {
         assert_eq!(used(clean, marks), None, "{clean}");
     }
@@ -527,6 +529,9 @@ fn sources_are_read_as_code() {
         ("let s = \"a\"; println!(\"b\");", "println!"),
         ("use rayon::prelude::*;", "rayon"),
         ("#[cfg(test)]\nmod tests;\nuse std::fs;", "std::fs"),
+        ("#[cfg(test)]\nmod tests {}\nuse std::fs;", "std::fs"),
+        ("let here = path\n    .exists();", ".exists("),
+        ("let x = self.edge.name == name;", "edge.name=="),
     ] {
         assert_eq!(used(foul, marks), Some(mark), "{foul}");
     }
