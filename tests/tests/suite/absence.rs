@@ -67,7 +67,14 @@ const PATHS: &[Absence] = &[
     },
     Absence {
         what: "files in a library",
-        marks: &["std::fs", "std::os"],
+        marks: &[
+            "std::fs",
+            "std::os",
+            "std::path::absolute",
+            ".canonicalize(",
+            ".exists(",
+            ".metadata(",
+        ],
         below: LIBRARIES,
         except: &[],
     },
