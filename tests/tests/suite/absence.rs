@@ -314,8 +314,8 @@ fn files(folder: &str, ending: &str) -> Vec<String> {
     found
 }
 
-fn letter(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_'
+fn is_letter(sign: char) -> bool {
+    sign.is_ascii_alphanumeric() || sign == '_'
 }
 
 /// The code of a source without tests, comments and what stands in literals, with spaces between words only.
@@ -335,7 +335,7 @@ fn code(text: &str) -> String {
                     code.push_str(close);
                 }
                 TokenTree::Ident(word) => {
-                    if code.bytes().last().is_some_and(letter) {
+                    if code.ends_with(is_letter) {
                         code.push(' ');
                     }
                     code.push_str(&word.to_string());
@@ -373,23 +373,39 @@ fn imported(code: &str) -> Vec<String> {
         }
     }
     let mut paths = Vec::new();
-    for (k, _) in code.match_indices("use ") {
-        if k == 0 || !letter(code.as_bytes()[k - 1]) {
-            let tree = code[k + 4..].split(';').next().unwrap_or_default();
+    for (k, mark) in code.match_indices("use") {
+        let (before, after) = (&code[..k], &code[k + mark.len()..]);
+        if !before.ends_with(is_letter) && !after.starts_with(is_letter) {
+            let tree = after.split(';').next().unwrap_or_default();
             expand("", tree, &mut paths);
         }
     }
     paths
 }
 
-/// Whether `text` holds `mark` as whole identifiers.
+/// Whether `text` holds `mark` as whole identifiers; a mark that ends in `==` as either side of that comparison.
 fn mentions(text: &str, mark: &str) -> bool {
-    let goes_on = |left: &str, right: &str| {
-        left.bytes().last().is_some_and(letter) && right.bytes().next().is_some_and(letter)
-    };
+    if let Some(operand) = mark.strip_suffix("==") {
+        return is_compared(text, operand);
+    }
+    let goes_on =
+        |left: &str, right: &str| left.ends_with(is_letter) && right.starts_with(is_letter);
     text.match_indices(mark).any(|(k, _)| {
         let (before, after) = (&text[..k], &text[k + mark.len()..]);
         !goes_on(before, mark) && !goes_on(mark, after)
+    })
+}
+
+/// Whether the field `operand`, or what is made of it (`Some(&operand)`, `operand.as_str()`), stands beside `==`.
+fn is_compared(text: &str, operand: &str) -> bool {
+    let wraps = |c: char| c.is_ascii_alphanumeric() || "_.&*()".contains(c);
+    text.match_indices(operand).any(|(k, _)| {
+        let before = &text[..k];
+        let after = &text[k + operand.len()..];
+        !before.ends_with(is_letter)
+            && !after.starts_with(is_letter)
+            && (before.trim_end_matches(wraps).ends_with("==")
+                || after.trim_start_matches(wraps).starts_with("=="))
     })
 }
 
@@ -498,7 +514,7 @@ fn libraries_re_export_the_crates_that_their_interface_holds() {
             toml::from_str(&read(&root().join(folder).join("Cargo.toml"))).expect("a manifest");
         let listed = manifest.get("dependencies").and_then(toml::Value::as_table);
         let code = code(&read(&root().join(library).join("lib.rs")));
-        let public = code.match_indices("pub use ").map(|(k, mark)| {
+        let public = code.match_indices("pub use").map(|(k, mark)| {
             let tree = &code[k + mark.len()..];
             tree.split(';').next().unwrap_or_default()
         });
@@ -537,8 +553,12 @@ fn sources_are_read_as_code() {
         ("use rayon::prelude::*;", "rayon"),
         ("#[cfg(test)]\nmod tests;\nuse std::fs;", "std::fs"),
         ("#[cfg(test)]\nmod tests {}\nuse std::fs;", "std::fs"),
+        ("use ::{rayon};", "rayon"),
         ("let here = path\n    .exists();", ".exists("),
         ("let x = self.edge.name == name;", "edge.name=="),
+        ("let x = name == &self.edge.name;", "edge.name=="),
+        ("let x = Some(edge.name.as_str()) == name;", "edge.name=="),
+        ("let x = name == Some(&edge.name);", "edge.name=="),
     ] {
         assert_eq!(used(foul, marks), Some(mark), "{foul}");
     }

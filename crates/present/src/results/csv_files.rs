@@ -127,9 +127,9 @@ fn steps(results: &Results) -> Vec<u8> {
             number(load.map_or(f64::NAN, |load| load.value))
         });
     }
-    let main = EdgeView::main(results).map(|edge| &edge.geometry.name);
+    let main = results.main_edge();
     let edges = EdgeView::all(results).into_iter().map(|edge| {
-        if main == Some(&edge.geometry.name) {
+        if main == Some(edge.index()) {
             edge_quantities(edge, "")
         } else {
             edge_quantities(edge, &format!("{}: ", edge.geometry.name))
