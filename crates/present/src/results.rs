@@ -17,6 +17,7 @@
 
 mod attempt;
 mod bypass;
+mod choices;
 mod consistency;
 mod csv_files;
 mod display;
