@@ -31,6 +31,9 @@ use crate::units::{Length, Quantity, UnitName};
 
 const NAME: &str = "mesh";
 
+/// None: no setting divides it.
+pub(super) const MESH_KEYS: &[&str] = &[];
+
 pub(super) const MEANING: &str = "a mesh of Gmsh (`.msh`, text), Abaqus or CalculiX (`.inp`), or VTK (`.vtu`); edges and points as its sets are named";
 
 #[rustfmt::skip]
@@ -285,7 +288,7 @@ impl Outline for GivenMesh {
     }
 
     fn mesh_keys(&self) -> &'static [&'static str] {
-        &[]
+        MESH_KEYS
     }
 
     fn digest(&self) -> Option<&str> {
