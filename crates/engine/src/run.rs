@@ -38,11 +38,10 @@ pub use stresses::{is_beside, is_unlimited};
 pub use thinned::follow_thinned;
 pub use whole_motion::{MovingBody, WholeMotion};
 
-use crate::load_scale::LoadScale;
 use crate::model::{self, Model};
 use crate::results::{
-    BodySummary, Choice, EdgeGeometry, EdgeResults, FastenerStep, Finding, ResultPart, Results,
-    SetMotion, StepNotes, StepResults,
+    BodySummary, Choice, EdgeGeometry, EdgeResults, FastenerStep, Finding, LoadScale, ResultPart,
+    Results, SetMotion, StepNotes, StepResults,
 };
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;

@@ -8,6 +8,7 @@ mod fastener;
 mod finding;
 mod frame;
 mod ladder;
+mod load_scale;
 mod nodes;
 mod placed;
 mod problem;
@@ -40,6 +41,7 @@ pub use finding::{
 };
 pub use frame::{BearingSource, ContactFrame, wrapped};
 pub use ladder::{Bounded, Ladder, LadderEnd, Rung};
+pub use load_scale::LoadScale;
 pub use nodes::{Nodes, Values, joined, values};
 pub use problem::{Acting, Problem, Site, SitePart};
 pub use progressive::{

@@ -271,10 +271,10 @@ const INSIDE: &[(&str, &[&str])] = &[
         "stickslip-text",
         &[
             "document",
-            "engine",
             "experiment-pages",
             "measure",
             "present",
+            "results",
             "scene",
         ],
     ),

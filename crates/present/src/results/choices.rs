@@ -1,6 +1,6 @@
 //! What the program chose, with what it found about a choice.
 
-use stickslip_engine::results::{BlockError, Choice, Results};
+use stickslip_results::{BlockError, Choice, Results};
 use stickslip_text::short;
 
 /// The choices of a run; the error of compliances in blocks follows the solver whose answers have it.

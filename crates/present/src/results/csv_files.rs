@@ -8,8 +8,8 @@ use super::names::{FileNames, step_name};
 use super::quantities::csv_columns;
 use super::{FileNote, OutputError, failure, sets};
 use crate::PutFile;
-use stickslip_engine::results::{EdgeKind, EdgeRow, Results, RowErrors, Stated, StepResults};
 use stickslip_report::csv::{self, number};
+use stickslip_results::{EdgeKind, EdgeRow, Results, RowErrors, Stated, StepResults};
 
 /// Hands all CSV files to `put`, one after the other, because those of a long history are many; what they hold.
 pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {

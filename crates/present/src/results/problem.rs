@@ -5,7 +5,7 @@ use stickslip_report::table::Table;
 use toml::Value;
 
 use super::figures::Drawing;
-use stickslip_engine::results::Results;
+use stickslip_results::Results;
 
 /// The section of the page; `None` of results without a scene.
 pub(super) fn section(results: &Results, sketches: Vec<Drawing>) -> Option<Section> {

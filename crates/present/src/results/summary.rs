@@ -23,8 +23,8 @@ use keys::{
     OtherAnswer, OwnEdgeStep, Program, SlipZone, SolverNotes, Sought, Step, Summary, Tried, Units,
     Zones,
 };
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{
+use stickslip_results::LoadScale;
+use stickslip_results::{
     BearingSource, EdgeKind, EdgeResults, Ladder, LoadValue, PlateRows, Results, Rung, Stated,
     StepNotes,
 };
@@ -116,7 +116,7 @@ fn microseconds(seconds: f64) -> f64 {
     (seconds * 1e6).round() / 1e6
 }
 
-fn choice(choice: stickslip_engine::results::Choice) -> Choice {
+fn choice(choice: stickslip_results::Choice) -> Choice {
     Choice {
         what: choice.what,
         value: choice.value,
@@ -132,7 +132,7 @@ fn named_load(load: &LoadValue) -> Load<'_> {
     }
 }
 
-fn body(body: &stickslip_engine::results::BodySummary, units: DisplayUnits) -> Body<'_> {
+fn body(body: &stickslip_results::BodySummary, units: DisplayUnits) -> Body<'_> {
     Body {
         name: &body.name,
         rigid: body.mesh.is_none(),

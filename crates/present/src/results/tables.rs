@@ -22,8 +22,8 @@ use super::sharing;
 use super::stresses;
 use super::zones::{contact_reach, stick_ranges};
 use fit::fitted;
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodySummary, Bounded, Choice, LadderEnd, Results, Rung, Stated};
+use stickslip_results::LoadScale;
+use stickslip_results::{BodySummary, Bounded, Choice, LadderEnd, Results, Rung, Stated};
 use stickslip_scene::schema::Accuracy;
 use stickslip_text::{decimals, short, significant};
 
