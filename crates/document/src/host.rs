@@ -32,6 +32,14 @@ pub trait System: fmt::Debug + Send + Sync {
         Ok(path.to_owned())
     }
 
+    /// `path` from the root, with its links; a system without a current folder has it as it is.
+    ///
+    /// # Errors
+    /// Those of the system.
+    fn whole_path(&self, path: &Path) -> io::Result<PathBuf> {
+        Ok(path.to_owned())
+    }
+
     /// Time since any moment that stays `[s]`.
     fn seconds(&self) -> f64;
 }

@@ -12,10 +12,8 @@
 //! | [`run`](mod@run) | condense the bodies, follow the history, recover what is reported |
 //! | [`results`] | what a run yields |
 //! | [`series`] | bodies without a mesh, and what is reported of them |
-//! | [`LoadScale`] | what tables and figures count the load steps by |
 
 pub mod failure;
-mod load_scale;
 pub mod model;
 pub mod run;
 pub mod series;
@@ -26,7 +24,6 @@ pub use {
     stickslip_scene, stickslip_series,
 };
 
-pub use load_scale::LoadScale;
 pub use stickslip_results as results;
 
 pub use results::{ContactFinding, Finding, JointFinding};

@@ -38,11 +38,10 @@ pub use stresses::{is_beside, is_unlimited};
 pub use thinned::follow_thinned;
 pub use whole_motion::{MovingBody, WholeMotion};
 
-use crate::load_scale::LoadScale;
 use crate::model::{self, Model};
 use crate::results::{
-    BodySummary, Choice, EdgeGeometry, EdgeResults, FastenerStep, Finding, ResultPart, Results,
-    SetMotion, StepNotes, StepResults,
+    BodySummary, Choice, EdgeGeometry, EdgeResults, FastenerStep, Finding, LoadScale, ResultPart,
+    Results, SetMotion, StepNotes, StepResults,
 };
 use crate::series::SeriesBody;
 use stickslip_scene::Scene;
@@ -210,7 +209,6 @@ fn reported(
     let request = &model.request;
     let mut choices = model.choices.clone();
     choices.push(solver_choice(request.analysis.solver));
-    choices.extend(blocks::error(&solved, &recovered));
     let operators = solved.operators.iter();
     let mut results = Results {
         title: request.title.clone(),
@@ -221,6 +219,7 @@ fn reported(
         meshes: request.meshes,
         units: request.units,
         choices,
+        blocks: blocks::error(&solved, &recovered),
         findings: findings(model, &solved, &geometries, &steps),
         bodies: bodies(model, &solved),
         factorisations: operators.filter_map(Operator::elastic).count(),
@@ -367,7 +366,7 @@ fn solver_choice(choice: SolverChoice) -> Choice {
         _ => "the scene says so",
     };
     Choice {
-        what: "solver".into(),
+        what: Choice::SOLVER.into(),
         value: choice.info().method.to_owned(),
         reason: reason.into(),
     }

@@ -2,7 +2,7 @@
 
 mod figures;
 mod files;
-mod passage;
+mod transition;
 
 use stickslip_hybrid::calibrate::Estimate;
 use stickslip_hybrid::identify::Bounds;
@@ -55,7 +55,7 @@ pub fn report(experiment: &Experiment, stage: &LawStage, report: &mut Experiment
     report.entry("laws", files::entry(experiment, stage));
 }
 
-/// Profiles, residuals, predictions and the passage.
+/// Profiles, residuals, predictions and the transition.
 fn pictures(experiment: &Experiment, stage: &LawStage, report: &mut ExperimentReport) {
     report.figure(
         "law-profiles",
@@ -73,7 +73,7 @@ fn pictures(experiment: &Experiment, stage: &LawStage, report: &mut ExperimentRe
         "Measured displacements within 0.3 radii of the edge and those of the best law, means over 5°.",
         figures::predictions(experiment, stage),
     );
-    if let Some(figure) = passage::figure(experiment, stage) {
+    if let Some(figure) = transition::figure(experiment, stage) {
         report.figure(
             "law-passage",
             &format!(

@@ -262,8 +262,8 @@ mod tests {
     fn a_drop_without_length_is_known_by_what_a_law_does() {
         let constant = Coulomb::new(0.3).unwrap();
         assert!(!drops(&constant, "mu", 0.3));
-        let passage = SlipPower::new(0.4, 0.2, 1e-3, 2.0, SlipPath::Committed).unwrap();
-        assert!(!drops(&passage, "static", 0.4));
+        let transition = SlipPower::new(0.4, 0.2, 1e-3, 2.0, SlipPath::Committed).unwrap();
+        assert!(!drops(&transition, "static", 0.4));
         for transition in [Transition::Drop, Transition::Lagged] {
             let law = StaticDynamic::new(0.4, 0.2, transition).unwrap();
             assert!(drops(&law, "static", 0.4), "{transition:?}");

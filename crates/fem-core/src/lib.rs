@@ -8,6 +8,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`mesh`], [`generate`], [`vtk`] | meshes, their generators, files for ParaView |
+//! | [`vector`] | arithmetic of plane vectors |
 //! | [`element`], [`material`] | shape functions and element matrices; plane stiffness |
 //! | [`support`], [`load`], [`body`] | how a body is held and loaded; its condensation |
 //! | [`points`] | strains and stresses at quadrature points, where materials with history live |
@@ -61,6 +62,7 @@ pub mod parallel;
 pub mod points;
 pub mod stress;
 pub mod support;
+pub mod vector;
 pub mod vtk;
 
 pub use nalgebra;

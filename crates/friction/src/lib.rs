@@ -42,7 +42,7 @@
 //! | [`history`]        | what a point remembers: [`History`], changed only by [`History::commit`]  |
 //! | [`coulomb`]        | `coulomb`: μ constant                                                     |
 //! | [`static_dynamic`] | `static_dynamic`: μs before slip, μd during it                            |
-//! | [`slip_power`]     | `slip_power`: a continuous passage from μs to μd along the slip path      |
+//! | [`slip_power`]     | `slip_power`: a continuous transition from μs to μd along the slip path   |
 //! | [`pressure_power`] | `pressure_power`: μ falls with pressure                                   |
 //! | [`fibre_coverage`] | `fibre_coverage`: two laws mixed by the fibres that the surface exposes   |
 //! | [`registry`]       | names, parameters and dimensions of all laws that are linked in           |

@@ -1,4 +1,4 @@
-//! A continuous passage from the static to the dynamic coefficient along the slip path (after Post & Reddy 1988, part II, 4.1,
+//! A continuous transition from the static to the dynamic coefficient along the slip path (after Post & Reddy 1988, part II, 4.1,
 //! who suggest a power law).
 //!
 //! ```text

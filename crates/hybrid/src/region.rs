@@ -94,7 +94,7 @@ pub enum RegionError {
         index: usize,
     },
     /// The covariance of the displacements is needed and not known.
-    #[error("the displacements have no covariance: no deviation follows from them")]
+    #[error("the displacements have no covariance: no standard deviation follows from them")]
     NoCovariance,
     /// A covariance that no random numbers have.
     #[error("the covariance of the displacements is not positive semidefinite (row {row})")]
@@ -103,7 +103,7 @@ pub enum RegionError {
         row: usize,
     },
     /// A measurement without a positive standard deviation `[length]` cannot be weighed.
-    #[error("the deviation {0} of the measurement is not positive")]
+    #[error("the standard deviation {0} of the measurement is not positive")]
     Deviation(f64),
     /// A place outside of the region.
     #[error("place {index} at ({}, {}) is not in the region", place[0], place[1])]

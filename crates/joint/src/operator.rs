@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::material::PlaneStiffness;
 use stickslip_fem_core::mesh::Point;
-use stickslip_fem_core::{InterfaceOperator, Linearised, TangentBody};
+use stickslip_fem_core::{BlockCompliance, InterfaceOperator, Linearised, TangentBody};
 
 use crate::body::ProgressiveBody;
 
@@ -77,6 +77,10 @@ impl InterfaceOperator for Widened<'_> {
         self.body.compliance()
     }
 
+    fn blocks(&self) -> Option<&BlockCompliance> {
+        self.body.blocks()
+    }
+
     fn modes(&self) -> &DMatrix<f64> {
         self.body.modes()
     }
@@ -114,6 +118,46 @@ impl Operator<'_> {
         match self {
             Self::Linearised(body) => body.as_ref(),
             Self::Linear(body) => body,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickslip_fem_core::generate::{Generate, Rectangle};
+    use stickslip_fem_core::interface::contract::{Known, check};
+    use stickslip_fem_core::material::{Isotropic, PlaneState};
+    use stickslip_fem_core::mesh::ElementKind;
+    use stickslip_fem_core::{ElasticBody, LoadCase};
+
+    #[test]
+    fn a_widened_body_keeps_the_contract_of_operators_and_gives_as_before() {
+        let strip = Rectangle::uniform([0.0, 6.0], [0.0, 1.0], [12, 2], ElementKind::Q4);
+        let mesh = strip.unwrap().generate().unwrap();
+        let mut interface = mesh.node_set("left").unwrap().to_vec();
+        let mut ends = vec![interface.len()];
+        interface.extend(mesh.node_set("right").unwrap());
+        ends.push(interface.len());
+        let [x, y] = mesh.nodes()[3];
+        let mut forces = vec![0.0; 2 * mesh.nodes().len()];
+        forces[6..8].copy_from_slice(&[2.0, -1.0]);
+        let case = LoadCase {
+            forces,
+            ..LoadCase::default()
+        };
+        let material = Isotropic::new(4.0, 0.3, PlaneState::Stress).unwrap();
+        let body = ElasticBody::new(Arc::new(mesh), vec![Arc::new(material)], 1.0).unwrap();
+        let body = Arc::new(body.with_load_cases(vec![case]).unwrap());
+        let known = Known {
+            placed: true,
+            resultants: &[[2.0, -1.0, -x - 2.0 * y], [0.0; 3]],
+        };
+        let in_blocks = body.condense_edges(&interface, &ends).unwrap();
+        for own in [body.condense(&interface).unwrap(), in_blocks] {
+            let widened = Widened::new(&own);
+            assert_eq!(check(&widened, known), Ok(()));
+            assert_eq!(widened.matrix(), own.matrix());
         }
     }
 }

@@ -6,10 +6,10 @@
 //! Source: Gmsh reference manual, sections "MSH file format" and "MSH file format version 2 (Legacy)".
 
 mod groups;
+mod tokens;
 mod types;
 mod version2;
 mod version4;
-mod words;
 
 use std::collections::BTreeMap;
 
@@ -20,8 +20,8 @@ use crate::note::Note;
 use crate::place::Place;
 use crate::raw::Raw;
 use groups::Groups;
+use tokens::{Tokens, place};
 pub(crate) use types::number_of;
-use words::{Words, place};
 
 /// The layouts of nodes and elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,13 +44,13 @@ struct Reader {
 /// # Errors
 /// [`ReadError`].
 pub(crate) fn read(text: &str, coincident: Coincident) -> Result<Imported, ReadError> {
-    let mut words = Words::new(text);
-    let version = header(&mut words)?;
+    let mut tokens = Tokens::new(text);
+    let version = header(&mut tokens)?;
     let mut reader = Reader::default();
-    while let Some(name) = words.section()? {
-        reader.section(name, version, &mut words)?;
+    while let Some(name) = tokens.section()? {
+        reader.section(name, version, &mut tokens)?;
     }
-    let end = words.spot();
+    let end = tokens.spot();
     let Reader {
         mut raw,
         mut groups,
@@ -71,9 +71,9 @@ pub(crate) fn read(text: &str, coincident: Coincident) -> Result<Imported, ReadE
 }
 
 /// Reads `$MeshFormat`.
-fn header(words: &mut Words<'_>) -> Result<Version, ReadError> {
-    let section = words.section()?;
-    let at = || place(words.spot());
+fn header(tokens: &mut Tokens<'_>) -> Result<Version, ReadError> {
+    let section = tokens.section()?;
+    let at = || place(tokens.spot());
     match section {
         Some("MeshFormat") => {}
         // The format of Gmsh 1 begins with its nodes.
@@ -89,8 +89,8 @@ fn header(words: &mut Words<'_>) -> Result<Version, ReadError> {
             });
         }
     }
-    let version = words.word("the version of the format")?;
-    let at = place(words.spot());
+    let version = tokens.token("the version of the format")?;
+    let at = place(tokens.spot());
     let known = match version {
         "2" | "2.0" | "2.1" | "2.2" => Version::Two,
         "4.1" => Version::Four,
@@ -99,11 +99,11 @@ fn header(words: &mut Words<'_>) -> Result<Version, ReadError> {
             return Err(ReadError::Version { at, version });
         }
     };
-    if words.integer("the file type, 0 for text")? != 0 {
+    if tokens.integer("the file type, 0 for text")? != 0 {
         return Err(ReadError::Binary { at });
     }
-    words.integer("the size of numbers")?;
-    words.end("MeshFormat")?;
+    tokens.integer("the size of numbers")?;
+    tokens.end("MeshFormat")?;
     Ok(known)
 }
 
@@ -112,31 +112,31 @@ impl Reader {
         &mut self,
         name: &str,
         version: Version,
-        words: &mut Words<'_>,
+        tokens: &mut Tokens<'_>,
     ) -> Result<(), ReadError> {
         match (name, version) {
-            ("PhysicalNames", _) => self.groups.read_names(words)?,
-            ("Entities", Version::Four) => version4::entities(words, &mut self.groups)?,
+            ("PhysicalNames", _) => self.groups.read_names(tokens)?,
+            ("Entities", Version::Four) => version4::entities(tokens, &mut self.groups)?,
             ("PartitionedEntities", _) => {
-                let at = place(words.spot());
+                let at = place(tokens.spot());
                 return Err(ReadError::Partitioned { at });
             }
-            ("Nodes", Version::Two) => version2::nodes(words, &mut self.raw)?,
-            ("Nodes", Version::Four) => version4::nodes(words, &mut self.raw)?,
+            ("Nodes", Version::Two) => version2::nodes(tokens, &mut self.raw)?,
+            ("Nodes", Version::Four) => version4::nodes(tokens, &mut self.raw)?,
             ("Elements", Version::Two) => {
-                version2::elements(words, &mut self.raw, &mut self.groups)?;
+                version2::elements(tokens, &mut self.raw, &mut self.groups)?;
             }
             ("Elements", Version::Four) => {
-                version4::elements(words, &mut self.raw, &mut self.groups)?;
+                version4::elements(tokens, &mut self.raw, &mut self.groups)?;
             }
-            (other, _) => return self.skip(other, words),
+            (other, _) => return self.skip(other, tokens),
         }
-        words.end(name)
+        tokens.end(name)
     }
 
-    fn skip(&mut self, name: &str, words: &mut Words<'_>) -> Result<(), ReadError> {
-        let at = place(words.spot());
-        words.skip(name)?;
+    fn skip(&mut self, name: &str, tokens: &mut Tokens<'_>) -> Result<(), ReadError> {
+        let at = place(tokens.spot());
+        tokens.skip(name)?;
         if name != "Comments" {
             let keyword = format!("${name}");
             self.skipped.entry(keyword).or_insert((at, 0)).1 += 1;

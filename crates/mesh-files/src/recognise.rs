@@ -12,6 +12,7 @@
 use std::f64::consts::TAU;
 
 use stickslip_fem_core::mesh::{Curve, Point};
+use stickslip_fem_core::vector::{cross, dot, minus};
 
 /// Part of its length by which the nodes of a line may be off it.
 const ON_LINE: f64 = 1e-6;
@@ -102,18 +103,6 @@ pub(crate) fn best_circle(corners: &[Point]) -> [f64; 3] {
             steps.fold(0.0, f64::max),
         ]
     })
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
 }
 
 fn norm(a: Point) -> f64 {

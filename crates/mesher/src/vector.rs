@@ -1,10 +1,7 @@
 //! Arithmetic of plane vectors.
 
 use stickslip_fem_core::mesh::Point;
-
-pub(crate) fn minus(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1]]
-}
+pub(crate) use stickslip_fem_core::vector::{cross, dot, minus};
 
 /// a + t b.
 pub(crate) fn along(a: Point, t: f64, b: Point) -> Point {
@@ -18,14 +15,6 @@ pub(crate) fn turned([x, y]: Point, [cos, sin]: Point) -> Point {
 
 pub(crate) fn middle(a: Point, b: Point) -> Point {
     [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])]
-}
-
-pub(crate) fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-pub(crate) fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
 }
 
 pub(crate) fn distance(a: Point, b: Point) -> f64 {

@@ -42,7 +42,7 @@ pub mod results;
 pub use serde_json;
 /// The crates of meshes, scenes, results, findings and figures that tables, pages and errors show.
 pub use {
-    stickslip_engine, stickslip_fem_core, stickslip_mesh_files, stickslip_report, stickslip_scene,
+    stickslip_fem_core, stickslip_mesh_files, stickslip_report, stickslip_results, stickslip_scene,
 };
 
 pub use stickslip_report::PutFile;

@@ -17,6 +17,7 @@
 
 mod attempt;
 mod bypass;
+mod choices;
 mod consistency;
 mod csv_files;
 mod display;
@@ -52,7 +53,7 @@ use crate::PutFile;
 use consistency::check;
 use figures::Drawing;
 use files::{File, FileNote};
-use stickslip_engine::results::Results;
+use stickslip_results::Results;
 
 /// Makes all files of `results`, hands them to `put`, several at a time, and returns the text of `summary.json`, which belongs last. Figures
 /// are drawn if `figures` says so; one that cannot be drawn is named in the summary's notes and on the page.

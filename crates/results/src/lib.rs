@@ -8,6 +8,7 @@ mod fastener;
 mod finding;
 mod frame;
 mod ladder;
+mod load_scale;
 mod nodes;
 mod placed;
 mod problem;
@@ -40,6 +41,7 @@ pub use finding::{
 };
 pub use frame::{BearingSource, ContactFrame, wrapped};
 pub use ladder::{Bounded, Ladder, LadderEnd, Rung};
+pub use load_scale::LoadScale;
 pub use nodes::{Nodes, Values, joined, values};
 pub use problem::{Acting, Problem, Site, SitePart};
 pub use progressive::{
@@ -77,6 +79,8 @@ pub struct Results {
     pub units: DisplayUnits,
     /// What the program chose, and why.
     pub choices: Vec<Choice>,
+    /// What compliances in blocks leave out; `None` where each is one matrix.
+    pub blocks: Option<BlockError>,
     /// What a reader must know: several solutions, points in doubt, cut-backs.
     pub findings: Vec<Finding>,
     /// Bodies in the order of their names.
@@ -134,6 +138,19 @@ pub struct Choice {
 impl Choice {
     /// [`what`](Self::what) of the geometry on which contact is found.
     pub const KINEMATICS: &str = "kinematics";
+    /// [`what`](Self::what) of the solver of load steps.
+    pub const SOLVER: &str = "solver";
+}
+
+/// The error of compliances in blocks, in the step in which they leave out most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlockError {
+    /// Shapes of forces by which an edge acts on others, at most.
+    pub rank: usize,
+    /// Change of tractions by the displacements that are left out, as a part of the peak pressure `[1]`.
+    pub tractions: f64,
+    /// Largest displacement of a contact point that is left out `[mm]`.
+    pub displacement: f64,
 }
 
 /// A body as it was modelled.

@@ -10,9 +10,9 @@ use crate::document::child;
 
 pub use self::kind::Kind;
 pub(crate) use self::kind::{
-    angle, angles, bed_stiffness, energy, expansion, flag, force, forces, integer, length, lengths,
-    lists, names, number, set, spacing, spring_stiffness, stress, stresses, table, table_as,
-    tables_of, temperature, temperatures, text, words,
+    angle, angles, bed_stiffness, described, energy, expansion, flag, force, forces, integer,
+    length, lengths, lists, names, number, set, spacing, spring_stiffness, stress, stresses, table,
+    table_as, tables_of, temperature, temperatures, text,
 };
 pub(crate) use self::range::filled;
 pub use self::range::{POSITIVE, Range, counts, numbers};

@@ -10,7 +10,7 @@ use super::schema::{
     MeshFormat, Output, PlatenFormat, SupportFormat,
 };
 use crate::declaration::{
-    NONE, REQUIRED, Table, integer, lists, set, table, tables_of, text, words,
+    NONE, REQUIRED, Table, described, integer, lists, set, table, tables_of, text,
 };
 use crate::units::{Force, Length, Stress, UnitName};
 use serde::{Deserialize, Serialize};
@@ -112,9 +112,9 @@ pub(crate) const TABLES: &[Table] = &[
         table("output", "all its defaults", "what is written beside the tables"),
     ]),
     Table::new("units", &[
-        words("length", "unit of length", r#"`"mm"`"#, r#""in""#, "lengths, gaps, slips"),
-        words("force", "unit of force", r#"`"N"`"#, r#""lbf""#, "forces"),
-        words("stress", "unit of stress", r#"`"MPa"`"#, r#""psi""#, "stresses, pressures"),
+        described("length", "unit of length", r#"`"mm"`"#, r#""in""#, "lengths, gaps, slips"),
+        described("force", "unit of force", r#"`"N"`"#, r#""lbf""#, "forces"),
+        described("stress", "unit of stress", r#"`"MPa"`"#, r#""psi""#, "stresses, pressures"),
     ]),
     Table::new("edges", &[
         set("on", REQUIRED, r#""plate.left""#,

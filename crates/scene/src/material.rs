@@ -1,8 +1,8 @@
 //! Elastic constants of a scene.
 
 use crate::declaration::{
-    POSITIVE, REQUIRED, Table, angle, expansion, flag, length, number, stress, table, temperature,
-    text, words,
+    POSITIVE, REQUIRED, Table, angle, described, expansion, flag, length, number, stress, table,
+    temperature, text,
 };
 use crate::units::{Angle, Length, Measure, PerTemperature, Quantity, Stress, Temperature};
 use serde::{Deserialize, Serialize};
@@ -359,7 +359,7 @@ pub(crate) const TABLES: &[Table] = &[
     Table::new("materials.NAME.laminate", &[
         text("layup", REQUIRED, r#""[0/±45/90]s""#,
             "the stack; one that is not symmetric bends when it is stretched and is refused with the size of that coupling"),
-        words("ply", "name of a ply", "required, unless the lay-up names all, as in `[0:carbon/90:glass]s`", r#""carbon""#,
+        described("ply", "name of a ply", "required, unless the lay-up names all, as in `[0:carbon/90:glass]s`", r#""carbon""#,
             "the ply wherever the lay-up names none"),
         angle("angle", "0 deg", r#""30 deg""#, "direction of the lay-up's 0° from +x"),
         temperature("cure", "0 K", r#""-150 K""#,

@@ -91,7 +91,11 @@ macro_rules! shapes {
         impl ShapeFormat {
             /// Whether it brings a mesh that no setting divides.
             pub(crate) fn has_own_mesh(&self) -> bool {
-                matches!(self, Self::GivenMesh(_))
+                let mesh_keys = match self {
+                    Self::PlateWithHole(_) => hole::MESH_KEYS,
+                    $(Self::$Other(_) => $file::MESH_KEYS,)*
+                };
+                mesh_keys.is_empty()
             }
 
             /// The shape that the table `table` of a body describes.

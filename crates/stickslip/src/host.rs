@@ -51,6 +51,10 @@ impl System for Machine {
         Path::new(".").join(path).canonicalize()
     }
 
+    fn whole_path(&self, path: &Path) -> io::Result<PathBuf> {
+        std::path::absolute(path)
+    }
+
     fn seconds(&self) -> f64 {
         START.elapsed().as_secs_f64()
     }

@@ -6,6 +6,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use stickslip_tests::source;
+
 /// Sources of the crates that take and return values only.
 const LIBRARIES: &[&str] = &[
     "crates/fem-core/src",
@@ -64,7 +67,14 @@ const PATHS: &[Absence] = &[
     },
     Absence {
         what: "files in a library",
-        marks: &["std::fs", "std::os"],
+        marks: &[
+            "std::fs",
+            "std::os",
+            "std::path::absolute",
+            ".canonicalize(",
+            ".exists(",
+            ".metadata(",
+        ],
         below: LIBRARIES,
         except: &[],
     },
@@ -137,12 +147,12 @@ const PATHS: &[Absence] = &[
     Absence {
         what: "bodies, edges and contacts looked up by name behind the model",
         marks: &[
-            "body.name ==",
-            "edge.name ==",
-            "geometry.name ==",
-            "pair.name ==",
-            "contact.name ==",
-            "load.name ==",
+            "body.name==",
+            "edge.name==",
+            "geometry.name==",
+            "pair.name==",
+            "contact.name==",
+            "load.name==",
             "node_set",
             "edge_set",
             "edge_path",
@@ -261,10 +271,10 @@ const INSIDE: &[(&str, &[&str])] = &[
         "stickslip-text",
         &[
             "document",
-            "engine",
             "experiment-pages",
             "measure",
             "present",
+            "results",
             "scene",
         ],
     ),
@@ -304,45 +314,41 @@ fn files(folder: &str, ending: &str) -> Vec<String> {
     found
 }
 
-fn letter(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_'
+fn is_letter(sign: char) -> bool {
+    sign.is_ascii_alphanumeric() || sign == '_'
 }
 
-/// The code of a source: comments and the insides of text left out, and what follows a test module's attribute.
-fn code(source: &str) -> String {
-    // A test module inside the file ends it; `mod tests;` does not.
-    let modules = source.match_indices("#[cfg(test)]\nmod ");
-    let mut inside = modules.filter(|(at, mark)| {
-        let name = &source[at + mark.len()..];
-        name.chars().find(|c| "{;".contains(*c)) == Some('{')
-    });
-    let end = inside.next().map_or(source.len(), |(at, _)| at);
-    let bytes = &source.as_bytes()[..end];
-    let at = |k: usize, mark: &str| bytes[k.min(end)..].starts_with(mark.as_bytes());
-    let (mut kept, mut k) = (Vec::new(), 0);
-    while k < end {
-        if at(k, "//") {
-            k += bytes[k..].iter().take_while(|&&byte| byte != b'\n').count();
-        } else if at(k, "r#\"") {
-            k += 3;
-            while k < end && !at(k, "\"#") {
-                k += 1;
+/// The code of a source without tests, comments and what stands in literals, with spaces between words only.
+fn code(text: &str) -> String {
+    fn write(tokens: TokenStream, code: &mut String) {
+        for tree in tokens {
+            match tree {
+                TokenTree::Group(group) => {
+                    let [open, close] = match group.delimiter() {
+                        Delimiter::Parenthesis => ["(", ")"],
+                        Delimiter::Brace => ["{", "}"],
+                        Delimiter::Bracket => ["[", "]"],
+                        Delimiter::None => ["", ""],
+                    };
+                    code.push_str(open);
+                    write(group.stream(), code);
+                    code.push_str(close);
+                }
+                TokenTree::Ident(word) => {
+                    if code.ends_with(is_letter) {
+                        code.push(' ');
+                    }
+                    code.push_str(&word.to_string());
+                }
+                TokenTree::Punct(sign) => code.push(sign.as_char()),
+                TokenTree::Literal(_) => code.push_str("\"\""),
             }
-            k += 2;
-        } else if at(k, "'\"'") || at(k, "'\\\"'") {
-            k += if at(k, "'\"'") { 3 } else { 4 };
-        } else if at(k, "\"") {
-            k += 1;
-            while k < end && !at(k, "\"") {
-                k += if at(k, "\\") { 2 } else { 1 };
-            }
-            k += 1;
-        } else {
-            kept.push(bytes[k]);
-            k += 1;
         }
     }
-    String::from_utf8_lossy(&kept).into_owned()
+    let tokens = source::code(text).unwrap_or_else(|cause| panic!("{cause}: {text}"));
+    let mut code = String::new();
+    write(tokens, &mut code);
+    code
 }
 
 /// Every path of the trees of `use` declarations, in full.
@@ -367,22 +373,39 @@ fn imported(code: &str) -> Vec<String> {
         }
     }
     let mut paths = Vec::new();
-    for (k, _) in code.match_indices("use ") {
-        if k == 0 || !letter(code.as_bytes()[k - 1]) {
-            let tree = code[k + 4..].split(';').next().unwrap_or_default();
+    for (k, mark) in code.match_indices("use") {
+        let (before, after) = (&code[..k], &code[k + mark.len()..]);
+        if !before.ends_with(is_letter) && !after.starts_with(is_letter) {
+            let tree = after.split(';').next().unwrap_or_default();
             expand("", tree, &mut paths);
         }
     }
     paths
 }
 
-/// Whether `text` holds `mark` as whole identifiers.
+/// Whether `text` holds `mark` as whole identifiers; a mark that ends in `==` as either side of that comparison.
 fn mentions(text: &str, mark: &str) -> bool {
-    let bytes = text.as_bytes();
+    if let Some(operand) = mark.strip_suffix("==") {
+        return is_compared(text, operand);
+    }
+    let goes_on =
+        |left: &str, right: &str| left.ends_with(is_letter) && right.starts_with(is_letter);
     text.match_indices(mark).any(|(k, _)| {
-        let end = k + mark.len();
-        let open = mark.ends_with('!') || end == bytes.len() || !letter(bytes[end]);
-        open && (k == 0 || !letter(bytes[k - 1]))
+        let (before, after) = (&text[..k], &text[k + mark.len()..]);
+        !goes_on(before, mark) && !goes_on(mark, after)
+    })
+}
+
+/// Whether the field `operand`, or what is made of it (`Some(&operand)`, `operand.as_str()`), stands beside `==`.
+fn is_compared(text: &str, operand: &str) -> bool {
+    let wraps = |c: char| c.is_ascii_alphanumeric() || "_.&*()".contains(c);
+    text.match_indices(operand).any(|(k, _)| {
+        let before = &text[..k];
+        let after = &text[k + operand.len()..];
+        !before.ends_with(is_letter)
+            && !after.starts_with(is_letter)
+            && (before.trim_end_matches(wraps).ends_with("==")
+                || after.trim_start_matches(wraps).starts_with("=="))
     })
 }
 
@@ -491,7 +514,7 @@ fn libraries_re_export_the_crates_that_their_interface_holds() {
             toml::from_str(&read(&root().join(folder).join("Cargo.toml"))).expect("a manifest");
         let listed = manifest.get("dependencies").and_then(toml::Value::as_table);
         let code = code(&read(&root().join(library).join("lib.rs")));
-        let public = code.match_indices("pub use ").map(|(k, mark)| {
+        let public = code.match_indices("pub use").map(|(k, mark)| {
             let tree = &code[k + mark.len()..];
             tree.split(';').next().unwrap_or_default()
         });
@@ -510,13 +533,15 @@ fn libraries_re_export_the_crates_that_their_interface_holds() {
 
 #[test]
 fn sources_are_read_as_code() {
-    let marks: &[&str] = &["std::fs", "println!", "rayon"];
+    let marks: &[&str] = &["std::fs", "println!", "rayon", ".exists(", "edge.name=="];
     for clean in [
         "// std::fs\nlet x = \"std::fs \\\" std::fs\";",
         "//! [`println!`]",
         "let a = '\"'; // rayon\nlet b = r#\"rayon \"rayon\" \"#;",
         "use crate::std::fs_like; let crayon = my_println!();",
         "fn f() {}\n#[cfg(test)]\nmod tests { use std::fs; }",
+        "fn f() { path.exists_not() }",
+        "let x = ledge.name == name && edge.names == name;",
     ] {
         assert_eq!(used(clean, marks), None, "{clean}");
     }
@@ -527,6 +552,13 @@ fn sources_are_read_as_code() {
         ("let s = \"a\"; println!(\"b\");", "println!"),
         ("use rayon::prelude::*;", "rayon"),
         ("#[cfg(test)]\nmod tests;\nuse std::fs;", "std::fs"),
+        ("#[cfg(test)]\nmod tests {}\nuse std::fs;", "std::fs"),
+        ("use ::{rayon};", "rayon"),
+        ("let here = path\n    .exists();", ".exists("),
+        ("let x = self.edge.name == name;", "edge.name=="),
+        ("let x = name == &self.edge.name;", "edge.name=="),
+        ("let x = Some(edge.name.as_str()) == name;", "edge.name=="),
+        ("let x = name == Some(&edge.name);", "edge.name=="),
     ] {
         assert_eq!(used(foul, marks), Some(mark), "{foul}");
     }

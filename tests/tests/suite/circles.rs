@@ -52,7 +52,7 @@ const FAMILIES: &[(&str, &str)] = &[
         "xtask",
         "validate.rs validate/mutants.rs validate/render.rs",
     ),
-    ("xtask", "validate/laws.rs validate/laws/passage.rs"),
+    ("xtask", "validate/laws.rs validate/laws/transition.rs"),
 ];
 
 /// The crates and the tasks with their imports.

@@ -74,7 +74,7 @@ fn fibre_coverage_of_equal_phases_is_the_law_of_both() {
     );
 }
 
-/// The passage from μs to μd along the slip path, s₀ or m at their ends.
+/// The transition from μs to μd along the slip path, s₀ or m at their ends.
 #[test]
 fn limits_of_the_power_law_in_slip() {
     let power = |slip_scale: &str, exponent: f64, path: &str| {

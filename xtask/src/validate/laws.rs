@@ -4,7 +4,7 @@
 //! χ²(θ) = |L⁻¹ (m − u(θ) − Z b)|²,     m: displacements of a finer mesh under the true law, each off by up to a quarter of a fringe
 //! ```
 
-mod passage;
+mod transition;
 
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     ];
     let coarse = &studies[1];
     let mut checks = Checks::against("the law that the displacements were solved with");
-    let contact_solves = passage::checks(&mut checks, &studies, laboratory.sized(1, 4))?
+    let contact_solves = transition::checks(&mut checks, &studies, laboratory.sized(1, 4))?
         + drop_law(&mut checks, coarse)?
         + no_friction(&mut checks, coarse)?;
     checks.show(

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use stickslip_fem_core::mesh::Point;
+use stickslip_fem_core::vector::dot;
 use thiserror::Error;
 
 use super::slopes::slopes;
@@ -325,10 +326,6 @@ impl Curve {
         }
         bend
     }
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 #[cfg(test)]

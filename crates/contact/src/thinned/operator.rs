@@ -187,3 +187,74 @@ impl InterfaceOperator for ThinnedBody {
         &self.mode_loads[case]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::problem::ContactPoint;
+    use crate::thinned::EdgeNodes;
+    use stickslip_fem_core::generate::{Generate, Rectangle};
+    use stickslip_fem_core::interface::contract::{Known, check};
+    use stickslip_fem_core::material::{Isotropic, PlaneState};
+    use stickslip_fem_core::mesh::ElementKind;
+    use stickslip_fem_core::{ElasticBody, LoadCase, RigidBody};
+    use stickslip_friction::Coulomb;
+
+    /// A floating block that rests on a rigid one, seen from five of its nine lower nodes.
+    #[test]
+    fn a_thinned_body_keeps_the_contract_of_operators() {
+        let block = Rectangle::uniform([0.0, 8.0], [0.0, 2.0], [8, 2], ElementKind::Q4);
+        let mesh = block.unwrap().generate().unwrap();
+        let nodes = mesh.edge_path("bottom").unwrap().nodes;
+        let points: Vec<Point> = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
+        let pushed = mesh.nodes()[3];
+        let mut forces = vec![0.0; 2 * mesh.nodes().len()];
+        forces[6..8].copy_from_slice(&[2.0, -1.0]);
+        let case = LoadCase {
+            forces,
+            ..LoadCase::default()
+        };
+        let material = Isotropic::new(4.0, 0.3, PlaneState::Stress).unwrap();
+        let body = ElasticBody::new(Arc::new(mesh), vec![Arc::new(material)], 1.0).unwrap();
+        let body = Arc::new(body.with_load_cases(vec![case]).unwrap());
+        let whole = body.condense(&nodes).unwrap();
+        let base = RigidBody::held(points.clone(), 1);
+
+        let point = |node: usize| ContactPoint {
+            first: node.into(),
+            second: node.into(),
+            normal: [0.0, 1.0],
+            gap: 0.0,
+            area: 1.0,
+            material_angle: 0.0,
+        };
+        let pairs = [ContactPair {
+            name: "base".to_owned(),
+            origin: [0.0; 2],
+            first: 0,
+            second: 1,
+            points: (0..nodes.len()).map(point).collect(),
+            law: Arc::new(Coulomb::new(0.3).unwrap()),
+        }];
+        let edge = EdgeNodes {
+            parameter: points.iter().map(|point| point[0]).collect(),
+            closed: None,
+            mirrored: [false; 2],
+        };
+        let hats = [Hats::new(&pairs[0], &edge, &[0, 1, 4, 6, 8]).unwrap()];
+        let [x, y] = pushed;
+        let known = Known {
+            placed: true,
+            resultants: &[[2.0, -1.0, -x - 2.0 * y]],
+        };
+        let operators: [&dyn InterfaceOperator; 2] = [&whole, &base];
+        for (index, operator) in operators.into_iter().enumerate() {
+            let thinned = ThinnedBody::new(index, operator, &pairs, &hats, &[]);
+            assert_eq!(thinned.points().len(), 5);
+            assert_eq!(thinned.gives(), operator.gives());
+            assert_eq!(check(&thinned, known), Ok(()));
+        }
+    }
+}

@@ -64,11 +64,6 @@ impl LoadTable {
         }
     }
 
-    /// Units that its values are shown in.
-    pub fn units(&self) -> &DisplayUnits {
-        &self.units
-    }
-
     /// Number of load steps; 1 without loads.
     pub fn steps(&self) -> usize {
         self.loads.first().map_or(1, |load| load.steps.len())

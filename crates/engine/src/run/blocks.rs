@@ -5,13 +5,12 @@ use stickslip_contact::StepRecord;
 
 use super::fields::Recovered;
 use super::solved::Solved;
-use crate::results::Choice;
-use stickslip_text::short;
+use crate::results::BlockError;
 
-/// The error in tractions of the step in which the compliances in blocks leave out most, among the choices: the change of contact forces by
+/// The error of the step in which the compliances in blocks leave out most. Its tractions are the change of contact forces by
 /// the displacements that are left out, with the statuses of the answer. These displacements are measured, against fields that are recovered
 /// by the whole factor.
-pub(super) fn error(solved: &Solved, recovered: &[Recovered]) -> Option<Choice> {
+pub(super) fn error(solved: &Solved, recovered: &[Recovered]) -> Option<BlockError> {
     let ranks = (solved.operators.iter())
         .filter_map(|operator| Some(operator.interface().blocks()?.rank()));
     let rank = ranks.max()?;
@@ -24,17 +23,10 @@ pub(super) fn error(solved: &Solved, recovered: &[Recovered]) -> Option<Choice> 
     let motion = motion(solved, step);
     let change = solved.interface.traction_change(&record.state, &motion)?;
     let peak = peak_pressure(solved, record);
-    let relative = if peak > 0.0 { change / peak } else { 0.0 };
-    Some(Choice {
-        what: "compliance in blocks".into(),
-        value: format!(
-            "at most {rank} shapes an edge, tractions to {} of the peak pressure",
-            short(relative)
-        ),
-        reason: format!(
-            "displacements of contact points to {} mm of those by the whole factor",
-            short(size(step))
-        ),
+    Some(BlockError {
+        rank,
+        tractions: if peak > 0.0 { change / peak } else { 0.0 },
+        displacement: size(step),
     })
 }
 

@@ -17,11 +17,10 @@ use super::error::RunError;
 use super::fields::Recovered;
 use super::{progressive, stresses};
 use crate::failure::{PlyStresses, Sites, Tracker};
-use crate::load_scale::LoadScale;
 use crate::model::{FailingBody, Model, ModelBodyKind};
 use crate::results::{
     BodyFailure, ContactFrame, EdgeKind, EdgePlies, EdgePly, EdgeResults, FailurePoint, FirstPly,
-    PlyMap, Results,
+    LoadScale, PlyMap, Results,
 };
 use stickslip_scene::schema::{Failure, LaminateSheet};
 

@@ -71,7 +71,7 @@ pub(super) fn of_field(experiment: &Experiment, finding: &FieldFinding) -> Strin
             of_range,
         } => format!(
             "{field} scatters by {} only, {} of its range, as calculated data do: bands hold this, not the error of a measurement or of a \
-             mesh. State the deviation that a measurement has.",
+             mesh. State the standard deviation that a measurement has.",
             shown(length, *deviation),
             short(*of_range)
         ),

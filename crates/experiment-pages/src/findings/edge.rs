@@ -55,7 +55,7 @@ pub(super) fn of_fit(experiment: &Experiment, finding: &FitFinding) -> String {
             of_smoothing(*amount_stated)
         ),
         FitFinding::WrongDeviation { variance_ratio } => format!(
-            "the variance of the residuals is {} times that of the deviation; bands follow the residuals. Check the deviation.",
+            "the variance of the residuals is {} times that of the deviation; bands follow the residuals. Check the standard deviation.",
             short(*variance_ratio)
         ),
         FitFinding::NotSeparable {
@@ -96,7 +96,7 @@ fn small_residuals(variance_ratio: f64, stated: bool) -> String {
     } else {
         format!(
             "{found} that was estimated: the data are calculated or smoothed, and bands hold what rounds their digits and the bias of \
-             smoothing, not the error of a measurement or of the mesh. State the deviation that the measurement has."
+             smoothing, not the error of a measurement or of the mesh. State the standard deviation that the measurement has."
         )
     }
 }

@@ -8,6 +8,7 @@ use stickslip_hybrid::data::Field;
 use super::{FOLDER, letter};
 use stickslip_experiment::{Experiment, Fringes, RegionShape, Source};
 use stickslip_measure::synthesis::{Camera, Shot, file_names};
+use stickslip_scene::host::System;
 
 /// The text of the file, which will stand in the result folder `folder`.
 ///
@@ -48,7 +49,8 @@ fn paths(experiment: &Experiment, folder: &Path, root: &mut Map<String, Value>) 
                 .and_then(Value::as_object_mut);
         }
         if let Some(table) = table {
-            table.insert(keys[1].to_owned(), seen_from(folder, path).into());
+            let seen = seen_from(experiment.host().system, folder, path);
+            table.insert(keys[1].to_owned(), seen.into());
         }
     };
     if let Some(own) = &experiment.specimen.scene {
@@ -65,8 +67,11 @@ fn paths(experiment: &Experiment, folder: &Path, root: &mut Map<String, Value>) 
 }
 
 /// A path as it is found from a folder: over the folders that both are in, with slashes, or whole where there is none.
-fn seen_from(folder: &Path, path: &Path) -> String {
-    let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+fn seen_from(system: &dyn System, folder: &Path, path: &Path) -> String {
+    let whole = |path: &Path| {
+        let whole = system.whole_path(path);
+        whole.unwrap_or_else(|_| path.to_owned())
+    };
     let (folder, path) = (whole(folder), whole(path));
     let [from, to] = [&folder, &path].map(|path| path.components().collect::<Vec<_>>());
     let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
@@ -127,7 +132,8 @@ fn entry(
 fn moved(experiment: &Experiment, folder: &Path, spelled: &Value) -> Value {
     let name = |value: &mut Value| {
         if let Some(file) = value.as_str() {
-            *value = seen_from(folder, &experiment.folder.join(file)).into();
+            let path = experiment.folder.join(file);
+            *value = seen_from(experiment.host().system, folder, &path).into();
         }
     };
     let mut data = spelled.clone();
@@ -179,6 +185,7 @@ fn pictures(experiment: &Experiment, camera: &Camera<'_>, state: usize, shot: Sh
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickslip_scene::host::Host;
 
     #[test]
     fn paths_lead_from_the_folder_to_the_file() {
@@ -191,7 +198,9 @@ mod tests {
             ),
             ("/a/results", "/a/results/scene.toml", "scene.toml"),
         ] {
-            assert_eq!(seen_from(Path::new(folder), Path::new(path)), expected);
+            let system = Host::NONE.system;
+            let found = seen_from(system, Path::new(folder), Path::new(path));
+            assert_eq!(found, expected);
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::mesh::Point;
 const SYMMETRIC: f64 = 1e-10;
 /// Part of the largest eigenvalue up to which a negative one is rounding.
 const SEMIDEFINITE: f64 = 1e-9;
-/// Part of a motion, or of the forces of a load case, up to which a difference is rounding.
+/// Part of a motion, of the forces of a load case, or of a compliance in two forms, up to which a difference is rounding.
 const SAME: f64 = 1e-8;
 
 /// What is known of the body behind an operator.
@@ -51,6 +51,14 @@ pub enum Breach {
     Indefinite {
         /// Least eigenvalue over the largest `[1]`.
         ratio: f64,
+    },
+    /// The compliance in blocks is not that of the matrix.
+    #[error(
+        "the compliance in blocks differs from its matrix by {difference:.1e} of the largest entry"
+    )]
+    Blocks {
+        /// Largest difference, relative to the largest entry `[1]`.
+        difference: f64,
     },
     /// A free motion deforms the contact.
     #[error("free motion {motion} differs from every rigid motion by {difference:.1e} of its size")]
@@ -96,6 +104,17 @@ pub fn check(operator: &dyn InterfaceOperator, known: Known<'_>) -> Result<(), B
     if let Some(compliance) = operator.compliance() {
         fits(name("the compliance"), compliance, [size, size])?;
         check_compliance(compliance)?;
+    }
+    if let Some(blocks) = operator.blocks() {
+        let whole = blocks.matrix();
+        fits(name("the compliance in blocks"), &whole, [size, size])?;
+        check_compliance(&whole)?;
+        if let Some(compliance) = operator.compliance() {
+            let difference = (&whole - compliance).amax() / compliance.amax();
+            if difference > SAME {
+                return Err(Breach::Blocks { difference });
+            }
+        }
     }
     let modes = operator.modes();
     fits(name("the matrix of free motions"), modes, [size, free])?;
@@ -205,7 +224,7 @@ impl Basis {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{GivenBody, RigidBody};
+    use crate::{Block, BlockCompliance, GivenBody, RigidBody};
 
     const UNKNOWN: Known<'static> = Known {
         placed: false,
@@ -228,6 +247,83 @@ mod tests {
         assert_eq!(check(&RigidBody::held(points.clone(), 1), known), Ok(()));
         let block = RigidBody::sliding(points, [true, false], &[[2.0, -1.0]]);
         assert_eq!(check(&block, known), Ok(()));
+    }
+
+    /// A held body whose compliance has a block for either component of its point.
+    #[derive(Debug)]
+    struct InBlocks {
+        body: GivenBody,
+        has_matrix: bool,
+        blocks: BlockCompliance,
+    }
+
+    impl InBlocks {
+        fn new(has_matrix: bool, own: [f64; 2], core: [f64; 2]) -> Self {
+            let blocks = own.into_iter().enumerate().map(|(row, own)| Block {
+                rows: vec![row],
+                own: DMatrix::from_element(1, 1, own),
+                shapes: DMatrix::from_element(1, 1, 1.0),
+            });
+            let core = DMatrix::from_row_slice(2, 2, &[0.0, core[0], core[1], 0.0]);
+            Self {
+                body: given([2.0, 0.5, 0.5, 1.0]),
+                has_matrix,
+                blocks: BlockCompliance::new(blocks.collect(), core),
+            }
+        }
+    }
+
+    impl InterfaceOperator for InBlocks {
+        fn points(&self) -> &[Point] {
+            self.body.points()
+        }
+
+        fn compliance(&self) -> Option<&DMatrix<f64>> {
+            self.body.compliance().filter(|_| self.has_matrix)
+        }
+
+        fn blocks(&self) -> Option<&BlockCompliance> {
+            Some(&self.blocks)
+        }
+
+        fn modes(&self) -> &DMatrix<f64> {
+            self.body.modes()
+        }
+
+        fn load_cases(&self) -> usize {
+            0
+        }
+
+        fn load_response(&self, _case: usize) -> Option<&DVector<f64>> {
+            None
+        }
+
+        fn mode_load(&self, case: usize) -> &DVector<f64> {
+            self.body.mode_load(case)
+        }
+    }
+
+    #[test]
+    fn blocks_keep_the_contract_of_a_matrix_and_agree_with_it() {
+        let found = |has_matrix, own, core| check(&InBlocks::new(has_matrix, own, core), UNKNOWN);
+        for has_matrix in [true, false] {
+            assert_eq!(found(has_matrix, [2.0, 1.0], [0.5; 2]), Ok(()));
+            assert!(matches!(
+                found(has_matrix, [2.0, 1.0], [0.5, 0.4]),
+                Err(Breach::Asymmetric { .. })
+            ));
+            assert!(matches!(
+                found(has_matrix, [1.0, 1.0], [2.0; 2]),
+                Err(Breach::Indefinite { .. })
+            ));
+        }
+        let other = [2.0, 1.5];
+        assert_eq!(found(false, other, [0.5; 2]), Ok(()));
+        let difference = 0.25;
+        assert_eq!(
+            found(true, other, [0.5; 2]),
+            Err(Breach::Blocks { difference })
+        );
     }
 
     #[test]

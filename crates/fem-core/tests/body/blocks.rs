@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use stickslip_fem_core::body::BodyLoad;
+use stickslip_fem_core::interface::contract::{Known, check};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_fem_core::{ElasticBody, HeldDirection, InterfaceOperator, LoadCase, Support};
 
@@ -60,6 +61,11 @@ fn blocks_are_the_parts_of_one_matrix() {
             let blocks = own.blocks().unwrap();
             assert!(own.compliance().is_none() && whole.blocks().is_none());
             assert_eq!(blocks.blocks().len(), 3);
+            let known = Known {
+                placed: true,
+                resultants: &[],
+            };
+            assert_eq!(check(&own, known), Ok(()));
             let (one, other) = (whole.compliance().unwrap(), blocks.matrix());
             let error = (one - &other).amax() / one.amax();
             assert!(error < EQUAL, "{kind:?} {held}: {error:.1e}");

@@ -5,6 +5,7 @@
 use std::f64::consts::TAU;
 
 use stickslip_fem_core::mesh::Point;
+use stickslip_fem_core::vector::{cross, dot, minus};
 
 use super::DataError;
 use super::centres::{Origin, Written};
@@ -385,18 +386,6 @@ impl Curve {
         }
         list
     }
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
 }
 
 fn distance(a: Point, b: Point) -> f64 {

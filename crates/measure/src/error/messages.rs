@@ -73,7 +73,7 @@ pub(super) fn remedy_of_region(cause: &RegionError) -> &'static str {
             "check scale, origin and y_axis of the data, or put the region where they are"
         }
         RegionError::Deviation(_) => {
-            "state the deviation that the measurement has: deviation = \"0.5 um\" in its table, in fringes in its lines"
+            "state the standard deviation that the measurement has: deviation = \"0.5 um\" in its table, in fringes in its lines"
         }
         RegionError::NotCovariance { .. } | RegionError::Eigenvalues { .. } => {
             "the weights of the data differ too much for double precision: take fewer cells, or state another amount of region.smoothing"

@@ -89,7 +89,7 @@ fn without_deviation(scope: &Scope<'_>, field: Field) -> ExperimentError {
     let (part, remedy) = match &scope.experiment.states[scope.state].source {
         Source::Table(_) => (
             ".table",
-            "state the deviation that a measurement has: table = { …, deviation = \"0.5 um\" }",
+            "state the standard deviation that a measurement has: table = { …, deviation = \"0.5 um\" }",
         ),
         Source::Pictures(_) => (
             ".pictures",
@@ -102,7 +102,7 @@ fn without_deviation(scope: &Scope<'_>, field: Field) -> ExperimentError {
         ),
         Source::Lines(_) => (
             ".lines",
-            "state the deviation of an order: lines = { …, deviation = 0.144 }",
+            "state the standard deviation of an order: lines = { …, deviation = 0.144 }",
         ),
     };
     ExperimentError::Missing {

@@ -232,7 +232,7 @@ fn scatters(
         scatters[c] = scatter::deviation(data, field).map_err(|cause| ExperimentError::Missing {
             key: scope.key.clone(),
             what: format!(
-                "state '{}': no deviation is stated, and it cannot be estimated from the scatter of neighbours: {cause}",
+                "state '{}': no standard deviation is stated, and it cannot be estimated from the scatter of neighbours: {cause}",
                 scope.name()
             ),
             remedy: "state it: deviation = \"0.5 um\"".to_owned(),

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::words::Words;
-use super::words::place;
+use super::tokens::Tokens;
+use super::tokens::place;
 use crate::assemble::{RawEdge, Sets};
 use crate::error::ReadError;
 use crate::lines;
@@ -37,13 +37,13 @@ pub(super) struct Groups {
 
 impl Groups {
     /// Reads `$PhysicalNames`: the count, then `dimension number "name"`.
-    pub(super) fn read_names(&mut self, words: &mut Words<'_>) -> Result<(), ReadError> {
+    pub(super) fn read_names(&mut self, tokens: &mut Tokens<'_>) -> Result<(), ReadError> {
         const WHAT: &str = "dimension, number and name of a group";
-        for _ in 0..words.integer("the number of names")? {
-            let line = words.line(WHAT)?;
+        for _ in 0..tokens.integer("the number of names")? {
+            let line = tokens.line(WHAT)?;
             let parsed = parse_name(line);
             let (key, name) = parsed.ok_or_else(|| ReadError::Value {
-                at: place(words.spot()),
+                at: place(tokens.spot()),
                 what: WHAT,
                 found: line.chars().take(40).collect(),
             })?;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use stickslip_engine::results::{PlateRows, Results, RowForces};
 use stickslip_report::table::Table;
+use stickslip_results::{PlateRows, Results, RowForces};
 use stickslip_scene::units::Unit;
 use stickslip_text::significant;
 

@@ -1,6 +1,6 @@
 //! Whether the parts of results fit together, which tables, files and figures count on.
 
-use stickslip_engine::results::{BodyFailure, EdgePlies, FirstPly, PlyMap, Results, StepResults};
+use stickslip_results::{BodyFailure, EdgePlies, FirstPly, PlyMap, Results, StepResults};
 
 use super::OutputError;
 

@@ -8,8 +8,8 @@ use super::names::{FileNames, step_name};
 use super::quantities::csv_columns;
 use super::{FileNote, OutputError, failure, sets};
 use crate::PutFile;
-use stickslip_engine::results::{EdgeKind, EdgeRow, Results, RowErrors, Stated, StepResults};
 use stickslip_report::csv::{self, number};
+use stickslip_results::{EdgeKind, EdgeRow, Results, RowErrors, Stated, StepResults};
 
 /// Hands all CSV files to `put`, one after the other, because those of a long history are many; what they hold.
 pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {
@@ -127,9 +127,9 @@ fn steps(results: &Results) -> Vec<u8> {
             number(load.map_or(f64::NAN, |load| load.value))
         });
     }
-    let main = EdgeView::main(results).map(|edge| &edge.geometry.name);
+    let main = results.main_edge();
     let edges = EdgeView::all(results).into_iter().map(|edge| {
-        if main == Some(&edge.geometry.name) {
+        if main == Some(edge.index()) {
             edge_quantities(edge, "")
         } else {
             edge_quantities(edge, &format!("{}: ", edge.geometry.name))

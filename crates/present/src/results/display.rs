@@ -1,7 +1,7 @@
 //! Results as a reader wants them: places in degrees or lengths, stresses and loads in the scene's units, short numbers.
 
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{EdgeGeometry, EdgeKind, EdgeResults, Results, Stated};
+use stickslip_results::LoadScale;
+use stickslip_results::{EdgeGeometry, EdgeKind, EdgeResults, Results, Stated};
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_text::short;
 

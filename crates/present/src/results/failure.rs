@@ -8,9 +8,9 @@ pub(super) mod tables;
 
 pub(super) use maps::index_map;
 
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodyFailure, FailurePoint, FirstPly, Results};
 use stickslip_laminate::failure::criterion_named;
+use stickslip_results::LoadScale;
+use stickslip_results::{BodyFailure, FailurePoint, FirstPly, Results};
 use stickslip_scene::schema::EnvelopePlane;
 use stickslip_text::significant;
 

@@ -1,8 +1,8 @@
 //! What fasteners hand on, as tables and in `summary.json`.
 
 use serde::Serialize;
-use stickslip_engine::results::{Fastener, FastenerStep, LayerStep, Results};
 use stickslip_report::table::Table;
+use stickslip_results::{Fastener, FastenerStep, LayerStep, Results};
 use stickslip_scene::schema::DisplayUnits;
 use stickslip_scene::units::Unit;
 use stickslip_text::significant;

@@ -25,7 +25,7 @@ use super::display::EdgeView;
 use super::failure::{self, FailureView};
 use super::names::FileNames;
 use super::progressive::{self, ProgressiveView};
-use stickslip_engine::results::Results;
+use stickslip_results::Results;
 use stickslip_scene::schema::EnvelopePlane;
 
 /// All figures that apply, and a line for each that could not be drawn: a picture is not worth losing a result.

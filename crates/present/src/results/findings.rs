@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use stickslip_engine::results::{
+use stickslip_results::{
     CoarseLoadPath, ContactFinding, CutBackEffect, FailedSolver, Finding, FurtherSolvers,
     LadderEnd, Quantity, Results, SolverDependence, StatusCycle, UniquenessBound, Yield,
 };

@@ -6,7 +6,7 @@ use stickslip_mesh_files::{write_inp, write_msh};
 use super::names::FileNames;
 use super::vtk_files::in_display_units;
 use super::{File, FileNote, OutputError};
-use stickslip_engine::results::Results;
+use stickslip_results::Results;
 
 /// All meshes, and a line about them; nothing unless the scene asks.
 ///

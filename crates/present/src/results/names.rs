@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use stickslip_engine::results::Results;
+use stickslip_results::Results;
 
 /// File names that are safe on every system and differ from each other, also where case does not count.
 #[derive(Debug, Default)]

@@ -19,8 +19,8 @@ use super::sharing;
 use super::stresses;
 use super::tables::{self, Detail};
 use super::zones::{contact_ranges, stick_ranges};
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{Results, Stated, StepResults};
+use stickslip_results::LoadScale;
+use stickslip_results::{Results, Stated, StepResults};
 use stickslip_text::{counted, decimals, short, significant};
 
 /// The page of `results` with its figures; `failures` are figures that could not be drawn.

@@ -5,7 +5,7 @@ use stickslip_report::table::Table;
 use toml::Value;
 
 use super::figures::Drawing;
-use stickslip_engine::results::Results;
+use stickslip_results::Results;
 
 /// The section of the page; `None` of results without a scene.
 pub(super) fn section(results: &Results, sketches: Vec<Drawing>) -> Option<Section> {
@@ -48,15 +48,12 @@ const CLEARANCE: &str = "clearance";
 /// Puts the radial clearance of two circles beside the keys of their contact.
 fn state_clearances(scene: &mut toml::Table, results: &Results) {
     let contacts = scene.get_mut("contacts").and_then(Value::as_array_mut);
-    for contact in contacts.into_iter().flatten() {
-        let Some(contact) = contact.as_table_mut() else {
-            continue;
-        };
-        let name = contact.get("name").and_then(Value::as_str);
-        let mut edges = results.edges.iter();
-        let edge = edges.find(|edge| edge.contact && Some(edge.name.as_str()) == name);
+    let contacts = contacts.into_iter().flatten();
+    // Edges of contacts are in the order of the contacts.
+    let edges = results.edges.iter().filter(|edge| edge.contact);
+    for (contact, edge) in contacts.filter_map(Value::as_table_mut).zip(edges) {
         let show = |own: f64| results.units.length.show(own.abs());
-        let text = match edge.and_then(|edge| edge.clearance) {
+        let text = match edge.clearance {
             None => "–".to_owned(),
             Some(own) if own < 0.0 => format!("interference {}", show(own)),
             Some(own) => show(own),

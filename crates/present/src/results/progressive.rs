@@ -11,7 +11,7 @@ pub(super) use maps::damage_map;
 
 use super::failure::FailureView;
 use super::findings::joint_sentence;
-use stickslip_engine::results::{PlyLoss, ProgressiveFailure};
+use stickslip_results::{PlyLoss, ProgressiveFailure};
 use stickslip_text::significant;
 
 /// A followed joint with what a reader needs around it.

@@ -4,8 +4,8 @@
 use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
-use stickslip_engine::results::Stated;
 use stickslip_report::table::Columns;
+use stickslip_results::Stated;
 use stickslip_text::{decimals, short, significant, tidy};
 
 use super::display::{EdgeView, energy_unit};
@@ -395,7 +395,7 @@ impl Serialize for SummaryQuantities {
 
 #[cfg(test)]
 mod tests {
-    use stickslip_engine::results::{EdgeResults, Stated};
+    use stickslip_results::{EdgeResults, Stated};
 
     use super::{ErrorOf, QUANTITIES};
 

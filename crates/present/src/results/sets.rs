@@ -1,9 +1,9 @@
 //! How far loaded sets move and what held ones take: tables, columns of `steps.csv` and entries of `summary.json`.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{LoadedSet, Results, SetKind, SetMotion, SetStated};
 use stickslip_report::table::{Columns, Table};
+use stickslip_results::LoadScale;
+use stickslip_results::{LoadedSet, Results, SetKind, SetMotion, SetStated};
 use stickslip_text::{short, significant, tidy};
 
 use super::quantity::Quantity;

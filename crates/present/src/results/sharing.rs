@@ -1,7 +1,7 @@
 //! Tables of how the contacts of a body share its load.
 
-use stickslip_engine::results::{LoadShare, Results};
 use stickslip_report::table::{Columns, Table};
+use stickslip_results::{LoadShare, Results};
 use stickslip_text::significant;
 
 use super::display::EdgeView;

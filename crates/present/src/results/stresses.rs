@@ -1,8 +1,8 @@
 //! The largest stresses of bodies: a table, and entries of `summary.json`.
 
 use serde::Serialize;
-use stickslip_engine::results::{BodyStresses, Results, StressPeak};
 use stickslip_report::table::Table;
+use stickslip_results::{BodyStresses, Results, StressPeak};
 use stickslip_text::{short, significant, tidy};
 
 use super::findings::load_steps;
@@ -40,7 +40,7 @@ pub(super) fn table(results: &Results) -> Option<Table> {
     };
     let row = |(index, body)| {
         let (step, own) = largest(results, index)?;
-        let body: &stickslip_engine::results::BodySummary = body;
+        let body: &stickslip_results::BodySummary = body;
         let yields = body.yield_stress.map_or("–".into(), value);
         let peaks = [own.von_mises, own.largest_principal, own.least_principal];
         let peaks = peaks.map(|peak| [stated(peak), place(peak)]);
@@ -80,7 +80,7 @@ fn title(results: &Results) -> String {
 
 /// The step in which the von Mises stress of the body `index` is largest.
 fn largest(results: &Results, index: usize) -> Option<(usize, BodyStresses)> {
-    let own = |(step, record): (usize, &stickslip_engine::results::StepResults)| {
+    let own = |(step, record): (usize, &stickslip_results::StepResults)| {
         let found = record.stresses.iter().find(|own| own.body == index)?;
         Some((step, *found))
     };

@@ -8,6 +8,7 @@ use stickslip_contact::Status;
 use stickslip_contact::history::Difference;
 
 use super::bypass;
+use super::choices::choices;
 use super::display::{EdgeView, energy, energy_unit};
 use super::failure::{self, FailureView};
 use super::fasteners;
@@ -22,8 +23,8 @@ use keys::{
     OtherAnswer, OwnEdgeStep, Program, SlipZone, SolverNotes, Sought, Step, Summary, Tried, Units,
     Zones,
 };
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{
+use stickslip_results::LoadScale;
+use stickslip_results::{
     BearingSource, EdgeKind, EdgeResults, Ladder, LoadValue, PlateRows, Results, Rung, Stated,
     StepNotes,
 };
@@ -59,7 +60,7 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
             energy: energy_unit(results.units),
             angle: "deg",
         },
-        choices: results.choices.iter().map(choice).collect(),
+        choices: choices(results).into_iter().map(choice).collect(),
         notes: findings::sentences(results),
         findings: findings::entries(&results.findings, results.units),
         bodies: results
@@ -115,11 +116,11 @@ fn microseconds(seconds: f64) -> f64 {
     (seconds * 1e6).round() / 1e6
 }
 
-fn choice(choice: &stickslip_engine::results::Choice) -> Choice<'_> {
+fn choice(choice: stickslip_results::Choice) -> Choice {
     Choice {
-        what: &choice.what,
-        value: &choice.value,
-        reason: &choice.reason,
+        what: choice.what,
+        value: choice.value,
+        reason: choice.reason,
     }
 }
 
@@ -131,7 +132,7 @@ fn named_load(load: &LoadValue) -> Load<'_> {
     }
 }
 
-fn body(body: &stickslip_engine::results::BodySummary, units: DisplayUnits) -> Body<'_> {
+fn body(body: &stickslip_results::BodySummary, units: DisplayUnits) -> Body<'_> {
     Body {
         name: &body.name,
         rigid: body.mesh.is_none(),

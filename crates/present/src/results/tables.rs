@@ -10,6 +10,7 @@ use stickslip_fem_core::mesh::Mesh;
 use stickslip_report::table::{Columns, Table};
 
 use super::bypass;
+use super::choices;
 use super::display::shared;
 use super::display::{EdgeView, even};
 use super::failure::{self, FailureView};
@@ -21,8 +22,8 @@ use super::sharing;
 use super::stresses;
 use super::zones::{contact_reach, stick_ranges};
 use fit::fitted;
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodySummary, Bounded, Choice, LadderEnd, Results, Rung, Stated};
+use stickslip_results::LoadScale;
+use stickslip_results::{BodySummary, Bounded, Choice, LadderEnd, Results, Rung, Stated};
 use stickslip_scene::schema::Accuracy;
 use stickslip_text::{decimals, short, significant};
 
@@ -251,14 +252,9 @@ fn work_columns(edge: EdgeView<'_>, full: bool) -> StepColumns<'_> {
 /// What the program chose.
 pub(super) fn choices(results: &Results) -> Table {
     let caption = "Choices of the program; each can be set in the scene";
-    let row = |choice: &Choice| {
-        [
-            choice.what.clone(),
-            choice.value.clone(),
-            choice.reason.clone(),
-        ]
-    };
-    Table::headed(caption, "what | choice | reason").with_rows(results.choices.iter().map(row))
+    let row = |choice: Choice| [choice.what, choice.value, choice.reason];
+    let rows = choices::choices(results).into_iter().map(row);
+    Table::headed(caption, "what | choice | reason").with_rows(rows)
 }
 
 /// The models that were tried for an accuracy, with their errors; none where none was sought.

@@ -11,7 +11,7 @@ use stickslip_fem_core::vtk::{Field, PvdEntry, write_pvd, write_vtu};
 use super::failure::plain_name;
 use super::names::{FileNames, step_name};
 use super::{File, FileNote, OutputError};
-use stickslip_engine::results::{BodyFields, EdgeKind, Results, von_mises};
+use stickslip_results::{BodyFields, EdgeKind, Results, von_mises};
 
 /// All VTU files and their collection; nothing if no step has fields.
 pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), OutputError> {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use stickslip_contact::Status;
 
 use super::display::EdgeView;
-use stickslip_engine::results::ZoneRange;
+use stickslip_results::ZoneRange;
 
 /// Largest angle between two nodes of a closed circle `[rad]`.
 const LARGEST_INTERVAL: f64 = 0.5;

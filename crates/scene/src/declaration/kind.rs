@@ -15,7 +15,7 @@ pub enum Kind {
     /// One of the names that are registered or listed.
     Names(fn() -> String),
     /// Anything else, as text.
-    Words(&'static str),
+    Described(&'static str),
 }
 
 impl Kind {
@@ -24,7 +24,7 @@ impl Kind {
         match self {
             Self::Quantity(dimensions) => Expected::any(dimensions).unit_list(),
             Self::List(dimension) => Expected::one(*dimension).unit_list(),
-            Self::Names(_) | Self::Words(_) => String::new(),
+            Self::Names(_) | Self::Described(_) => String::new(),
         }
     }
 }
@@ -42,7 +42,7 @@ impl fmt::Display for Kind {
                 write!(formatter, "list of {name}{plural}")
             }
             Self::Names(names) => formatter.write_str(&names()),
-            Self::Words(words) => formatter.write_str(words),
+            Self::Described(text) => formatter.write_str(text),
         }
     }
 }
@@ -77,12 +77,12 @@ rows! {
     forces = Kind::List(Dimension::Force);
     stresses = Kind::List(Dimension::Stress);
     temperatures = Kind::List(Dimension::Temperature);
-    number = Kind::Words("number");
-    integer = Kind::Words("integer");
-    flag = Kind::Words("`true`, `false`");
-    text = Kind::Words("text");
-    set = Kind::Words("`body.set`");
-    table_as = Kind::Words("table");
+    number = Kind::Described("number");
+    integer = Kind::Described("integer");
+    flag = Kind::Described("`true`, `false`");
+    text = Kind::Described("text");
+    set = Kind::Described("`body.set`");
+    table_as = Kind::Described("table");
 }
 
 const fn row(
@@ -104,14 +104,14 @@ const fn row(
 }
 
 /// A key of the type that `kind` names.
-pub(crate) const fn words(
+pub(crate) const fn described(
     name: &'static str,
     kind: &'static str,
     default: &'static str,
     example: &'static str,
     meaning: &'static str,
 ) -> Key {
-    row(name, Kind::Words(kind), default, example, meaning)
+    row(name, Kind::Described(kind), default, example, meaning)
 }
 
 /// A key whose choices are what `names` lists.
@@ -136,10 +136,10 @@ pub(crate) const fn tables_of(
     default: &'static str,
     meaning: &'static str,
 ) -> Key {
-    words(name, "table of tables", default, "", meaning)
+    described(name, "table of tables", default, "", meaning)
 }
 
 /// A list of tables.
 pub(crate) const fn lists(name: &'static str, default: &'static str, meaning: &'static str) -> Key {
-    words(name, "list of tables", default, "", meaning)
+    described(name, "list of tables", default, "", meaning)
 }

@@ -86,8 +86,8 @@ fn asked(kind: Kind) -> Option<String> {
         Kind::Quantity(dimensions) => Some(quantity(Expected::any(dimensions))),
         Kind::List(dimension) => Some(quantity(Expected::one(dimension))),
         Kind::Names(_) => None,
-        Kind::Words(words) => Some(
-            match words {
+        Kind::Described(text) => Some(
+            match text {
                 "number" => "a number",
                 "integer" => "a whole number, at least 0",
                 "text" | "path" | "`body.set`" => "a text in quotes",

@@ -6,7 +6,7 @@ use stickslip_fem_core::material::PlaneState;
 
 use super::demand::{Accuracy, Budget, Memory};
 use crate::declaration::choices::quoted;
-use crate::declaration::{Table, counts, flag, integer, names, words};
+use crate::declaration::{Table, counts, described, flag, integer, names};
 
 /// How the model is solved: `[analysis]`, whose keys its fields are.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -131,16 +131,16 @@ pub enum Ramp {
 #[rustfmt::skip]
 pub(crate) const TABLES: &[Table] = &[
     Table::new("analysis", &[
-        words("plane", r#"`"stress"`, `"strain"`"#, r#"`"stress"`"#, r#""strain""#, "plane stress or plane strain"),
-        words("model", r#"`"auto"`, `"half"`, `"whole"`"#, r#"`"auto"`"#, r#""whole""#,
+        described("plane", r#"`"stress"`, `"strain"`"#, r#"`"stress"`"#, r#""strain""#, "plane stress or plane strain"),
+        described("model", r#"`"auto"`, `"half"`, `"whole"`"#, r#"`"auto"`"#, r#""whole""#,
             "half: y ≥ 0 of round shapes, x ≥ 0 of a line contact; auto takes it where shapes, materials, supports, platens, \
             loads and friction laws are symmetric and it has all `edges`; half is refused where they are not; a rectangle has \
             no half"),
-        words("kinematics", r#"`"small"`, `"deformed-gaps"`, `"auto"`"#, r#"`"small"` with a mesh or fasteners, `"auto"` without"#, r#""deformed-gaps""#,
+        described("kinematics", r#"`"small"`, `"deformed-gaps"`, `"auto"`"#, r#"`"small"` with a mesh or fasteners, `"auto"` without"#, r#""deformed-gaps""#,
             "small: contact is found on the undeformed geometry; deformed-gaps: gaps, normals and closest points follow the displacement, \
             between linear bodies, for exact gaps and matching meshes; not for progressive failure and experiments; auto: deformed-gaps where it \
             changes more than three tenths of the accuracy, otherwise small with the change among the errors"),
-        words("compliance", r#"`"auto"`, `"matrix"`, `"blocks"`"#, r#"`"auto"`"#, r#""blocks""#,
+        described("compliance", r#"`"auto"`, `"matrix"`, `"blocks"`"#, r#"`"auto"`"#, r#""blocks""#,
             "how the compliance of a body with contact on several edges is held: matrix: as one; blocks: as a matrix for each edge and few shapes \
             of forces, harmonics on a hole, by which edges act on each other, with the error in tractions among the choices; auto: blocks beyond \
             4000 components where solver and kinematics allow them"),
@@ -154,17 +154,17 @@ pub(crate) const TABLES: &[Table] = &[
             (enumeration, Tresca)"),
         integer("substeps", "`1`; by the accuracy where one is sought", "4",
             "equal sub-steps of every load step; one that fails is halved by itself").range(counts(1, 100_000)),
-        words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`, `"quadratic"` where the program chooses sub-steps"#, r#""quadratic""#,
+        described("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`, `"quadratic"` where the program chooses sub-steps"#, r#""quadratic""#,
             "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \
             contact spreads fastest; the same of what a later step adds if it begins with all points open; others are linear"),
-        words("accuracy", "percentage or number, 1e-8 to 0.5, or a table of these", "`\"1 %\"` without a mesh", r#"{ peak_pressure = "0.1 %" }"#,
+        described("accuracy", "percentage or number, 1e-8 to 0.5, or a table of these", "`\"1 %\"` without a mesh", r#"{ peak_pressure = "0.1 %" }"#,
             "largest relative error that is asked for; bodies and steps are divided until the estimated errors of peak pressure, peak \
             tangential stress, extent of contact and friction force, or of displacements in a scene without edges, are below it; or those of the numbers that a table names, each \
             with its own: `peak_pressure`, `peak_hoop`, `contact_extent`, `stick_extent`, `friction_force`, `normal_force`, \
             `hoop_at_bearing`, `displacement` and `stiffness` of what is loaded, `tangent_stiffness`, `reaction`"),
-        words("budget", "time", r#"`"60 s"` without `accuracy`, no limit with it"#, r#""10 s""#,
+        described("budget", "time", r#"`"60 s"` without `accuracy`, no limit with it"#, r#""10 s""#,
             "time after which no finer model is tried, and one that is not ready is given up; the result then states the error that it has; needs `accuracy`"),
-        words("memory", "memory", r#"`"4 GB"`"#, r#""16 GB""#,
+        described("memory", "memory", r#"`"4 GB"`"#, r#""16 GB""#,
             "estimated memory above which no finer model of elements is tried; the result then states the error that it has; for scenes whose mesh is left to the program"),
         integer("contact_nodes", "by the accuracy", "61",
             "nodes on half of each contact circle of bodies by series; pins them").range(counts(9, 2049)),

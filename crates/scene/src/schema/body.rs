@@ -5,7 +5,7 @@ use stickslip_fem_core::mesh::Point;
 
 use super::mesh::{MeshFormat, MeshSettings};
 use crate::declaration::{
-    NONE, POSITIVE, REQUIRED, Table, angle, flag, length, table, table_as, words,
+    NONE, POSITIVE, REQUIRED, Table, angle, described, flag, length, table, table_as,
 };
 use crate::shape::pattern::{self, PatternFormat};
 use crate::shape::{Shape, ShapeFormat};
@@ -117,17 +117,17 @@ impl BodyFormat {
 #[rustfmt::skip]
 pub(crate) const TABLES: &[Table] = &[
     Table::new("bodies.NAME", &[
-        words("material", "name of a material", "required unless rigid", r#""aluminium""#, "what the body is made of"),
+        described("material", "name of a material", "required unless rigid", r#""aluminium""#, "what the body is made of"),
         flag("rigid", "`false`", "true", "nothing in the body deforms; without `material`"),
         length("thickness", "required unless rigid or of a laminate, whose own it is", r#""1.5 mm""#,
             "thickness; also in plane strain, where forces are those on this length; one that contradicts the laminate is \
             refused").range(POSITIVE),
         table_as("shape", REQUIRED, r#".disk = { radius = "5 mm" }"#, "outline"),
-        words("position", "two lengths", r#"`["0 mm", "0 mm"]`"#, r#"["60 mm", "0 mm"]"#,
+        described("position", "two lengths", r#"`["0 mm", "0 mm"]`"#, r#"["60 mm", "0 mm"]"#,
             "where the origin of its coordinates stands; of an outline, a mesh or a rectangle that no contact puts into a hole"),
         angle("angle", r#"`"0 deg"`"#, r#""30 deg""#,
             "by which an outline or a mesh is turned about that origin, counter-clockwise; materials keep their own angles"),
-        words("model", r#"`"auto"`, `"series"`, `"half-plane"`, `"elements"`"#, r#"`"auto"`"#, r#""series""#,
+        described("model", r#"`"auto"`, `"series"`, `"half-plane"`, `"elements"`"#, r#"`"auto"`"#, r#""series""#,
             "how its compliance is found: by series about its contact circle, which needs no mesh, as the half-plane that a block or a \
             cylinder stands for, or by finite elements; auto takes series where the scene gives no mesh and they can hold the body; not of a \
             rigid one"),

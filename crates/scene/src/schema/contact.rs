@@ -2,7 +2,7 @@
 
 use super::SetRef;
 use crate::declaration::choices::coded;
-use crate::declaration::{REQUIRED, Table, flag, names, set, text, words};
+use crate::declaration::{REQUIRED, Table, described, flag, names, set, text};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use stickslip_friction::FrictionLaw;
@@ -132,10 +132,10 @@ pub(crate) const TABLES: &[Table] = &[
             "a hole, the `contact` edge of a cylinder, or an open edge; of an elastic body"),
         set("second", REQUIRED, r#""pin.rim""#,
             "the rim of a disk or the `outer` edge of a ring in the hole, the `contact` edge of a block under the cylinder, or another open edge"),
-        words("gap", r#"`"exact"`, `"linearised"`, `"faceted"`"#, r#"`"exact"`"#, r#""linearised""#,
+        described("gap", r#"`"exact"`, `"linearised"`, `"faceted"`"#, r#"`"exact"`"#, r#""linearised""#,
             "initial gap: of the true circles; to first order, c (1 − cos θ) with clearance c or x²/2R, as closed forms have \
             it; between the nodes of the mesh"),
-        words("projection", r#"`"auto"`, `"nodes"`, `"mortar"`, `"dual-mortar"`"#, r#"`"auto"`"#, r#""dual-mortar""#,
+        described("projection", r#"`"auto"`, `"nodes"`, `"mortar"`, `"dual-mortar"`"#, r#"`"auto"`"#, r#""dual-mortar""#,
             "how the edges are tied: by pairs of nodes, which the meshes must have; by a mortar projection with the shape \
             functions of the first edge, or with functions dual to them; auto pairs nodes where the meshes match and takes \
             dual mortar where they do not"),

@@ -4,8 +4,8 @@ use super::progressive::ProgressiveFormat;
 use super::{Control, Progressive};
 use crate::declaration::choices::quoted;
 use crate::declaration::{
-    NONE, POSITIVE, REQUIRED, Range, Table, counts, filled, integer, length, names, number,
-    numbers, table, words,
+    NONE, POSITIVE, REQUIRED, Range, Table, counts, described, filled, integer, length, names,
+    number, numbers, table,
 };
 use crate::units::{Length, Quantity};
 use serde::{Deserialize, Serialize};
@@ -190,7 +190,7 @@ pub(crate) const TABLES: &[Table] = &[
     Table::new("failure", &[
         names("criteria", criteria, REQUIRED, r#"["tsai_wu", "hashin"]"#,
             "one or more; the first one is drawn").range(filled(r#"at least one, such as ["max_stress"]"#)),
-        words("bodies", "list of bodies", "all of a laminate", r#"["coupon"]"#,
+        described("bodies", "list of bodies", "all of a laminate", r#"["coupon"]"#,
             "bodies whose plies are checked").range(filled("at least one body; leave it out for all bodies of a laminate")),
         length("clear_of_supports", "5 % of the body's smaller outer dimension", r#""2 mm""#,
             "distance from the ends of supported edges and platens, and from points that are held, within which no ply is checked").range(NOT_NEGATIVE),
@@ -206,7 +206,7 @@ pub(crate) const TABLES: &[Table] = &[
         length("compression", REQUIRED, r#""1.8 mm""#, "R_c, at the bearing point").range(POSITIVE),
     ]),
     Table::new("failure.envelopes", &[
-        words("planes", r#"list of `"normal"`, `"shear"`"#, r#"`["normal","shear"]`"#, r#"["normal"]"#,
+        described("planes", r#"list of `"normal"`, `"shear"`"#, r#"`["normal","shear"]`"#, r#"["normal"]"#,
             "(σ_x, σ_y) and (σ_x, τ_xy)").range(filled(r#"at least one of "normal" and "shear""#)),
         integer("directions", "`180`", "360", "directions of load in each plane").range(counts(3, 100_000)),
         table("last_ply", NONE, "the last ply's failure as well, by ply discount"),

@@ -1,7 +1,7 @@
 //! Fasteners: disks in several layers that springs couple.
 
 use crate::declaration::{
-    POSITIVE, REQUIRED, Table, filled, force, length, lengths, table, table_as, words,
+    POSITIVE, REQUIRED, Table, described, filled, force, length, lengths, table, table_as,
 };
 use crate::units::{Force, Length, Quantity};
 use serde::{Deserialize, Serialize};
@@ -113,7 +113,7 @@ const ENDS: &str = r#"`"free"`, `"clamped"`"#;
 #[rustfmt::skip]
 pub(crate) const TABLES: &[Table] = &[
     Table::new("fasteners.NAME", &[
-        words("slices", "list of bodies", REQUIRED, r#"["bolt-1", "bolt-2", "bolt-3"]"#,
+        described("slices", "list of bodies", REQUIRED, r#"["bolt-1", "bolt-2", "bolt-3"]"#,
             "its disks, one in each plate and as thick as it, in the order of the layers").range(filled("two or more disks")),
         table_as("springs", REQUIRED, ".beam = {}", "what couples the slices"),
     ]),
@@ -124,8 +124,8 @@ pub(crate) const TABLES: &[Table] = &[
         table("lumped", "one of the four", "a formula for the whole fastener, less what contact resolves of it; all turn as one"),
     ]).choice(),
     Table::new("fasteners.NAME.springs.beam", &[
-        words("head", ENDS, r#"`"free"`"#, r#""clamped""#, "whether the outer face of the first slice may tilt"),
-        words("nut", ENDS, r#"`"free"`"#, r#""clamped""#, "whether the outer face of the last slice may tilt"),
+        described("head", ENDS, r#"`"free"`"#, r#""clamped""#, "whether the outer face of the first slice may tilt"),
+        described("nut", ENDS, r#"`"free"`"#, r#""clamped""#, "whether the outer face of the last slice may tilt"),
     ]),
     Table::new("fasteners.NAME.springs.given", &[
         force("force", REQUIRED, r#""1 kN""#, "a force that one slice hands to the next").range(POSITIVE),
@@ -133,8 +133,8 @@ pub(crate) const TABLES: &[Table] = &[
             "by how much that moves each slice against the next, one number fewer than slices").range(POSITIVE),
     ]),
     Table::new("fasteners.NAME.springs.lumped", &[
-        words("formula", FORMULAS, REQUIRED, r#""huth""#, "whose formula"),
-        words("joint", JOINTS, "required with `huth`", r#""bolted-metal""#, "the kind of joint to which Huth fitted his"),
+        described("formula", FORMULAS, REQUIRED, r#""huth""#, "whose formula"),
+        described("joint", JOINTS, "required with `huth`", r#""bolted-metal""#, "the kind of joint to which Huth fitted his"),
         force("force", REQUIRED, r#""1 kN""#, "a force that a joint of this one fastener carries").range(POSITIVE),
         length("resolved", REQUIRED, r#""0.012 mm""#,
             "what contact and plates resolve of the fastener's displacement at that force").range(POSITIVE),

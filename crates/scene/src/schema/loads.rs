@@ -2,7 +2,7 @@
 
 use super::{BearingLaw, SetRef};
 use crate::declaration::{
-    REQUIRED, Range, Table, forces, numbers, stresses, table, temperatures, text, words,
+    REQUIRED, Range, Table, described, forces, numbers, stresses, table, temperatures, text,
 };
 use crate::units::{Force, Measure, Quantity, Stress, Temperature, UnitName};
 use serde::{Deserialize, Serialize};
@@ -296,7 +296,7 @@ const KINDS: &[&[&str]] = &[
 pub(crate) const TABLES: &[Table] = &[
     Table::new("loads", &[
         text("name", "`load1`, `load2`, …", r#""pull""#, "name in the results"),
-        words("on", "`body.set`, or the body of a temperature", REQUIRED, r#""plate.left""#, "the edge that is loaded; a force also on an area, such as `pin.section`, over which it is spread evenly, or on a point"),
+        described("on", "`body.set`, or the body of a temperature", REQUIRED, r#""plate.left""#, "the edge that is loaded; a force also on an area, such as `pin.section`, over which it is spread evenly, or on a point"),
         table("force", "one of the five", "a total force, spread evenly over an edge"),
         table("bearing", "one of the five", "a force on a hole without a pin, as pressure by an assumed law: cosine, uniform"),
         table("pressure", "one of the five", "a pressure on an edge"),
@@ -304,14 +304,14 @@ pub(crate) const TABLES: &[Table] = &[
         table("temperature", "one of the five", "a temperature change of a body"),
     ]).one_of(KINDS, "force, bearing, pressure, polar_traction, temperature"),
     Table::new("loads.force", &[
-        words("direction", "two numbers", REQUIRED, "[-1, 0]", "vector (x, y), of any length but zero"),
+        described("direction", "two numbers", REQUIRED, "[-1, 0]", "vector (x, y), of any length but zero"),
         forces("steps", REQUIRED, r#"["1 kN"]"#,
             "magnitudes of the force on the whole body, also in a half model, spread evenly over the edge"),
     ]),
     Table::new("loads.bearing", &[
-        words("direction", "two numbers", REQUIRED, "[-1, 0]",
+        described("direction", "two numbers", REQUIRED, "[-1, 0]",
             "vector (x, y) of the force on the body, of any length but zero"),
-        words("law", r#"`"cosine"`, `"uniform"`"#, REQUIRED, r#""cosine""#, "how the pressure is spread"),
+        described("law", r#"`"cosine"`, `"uniform"`"#, REQUIRED, r#""cosine""#, "how the pressure is spread"),
         forces("steps", REQUIRED, r#"["2 kN", "4 kN"]"#,
             "magnitudes of the force on the whole hole, also in a half model").range(PUSHES),
     ]),
@@ -319,12 +319,12 @@ pub(crate) const TABLES: &[Table] = &[
         stresses("steps", REQUIRED, r#"["1 MPa"]"#, "positive pushes on the body, negative pulls"),
     ]),
     Table::new("loads.polar_traction", &[
-        words("file", "path", REQUIRED, r#""data/persson-ring5R-65deg.csv""#, "table, relative to the folder of the scene"),
-        words("stress", "unit of stress", REQUIRED, r#""MPa""#, "unit of its stresses"),
+        described("file", "path", REQUIRED, r#""data/persson-ring5R-65deg.csv""#, "table, relative to the folder of the scene"),
+        described("stress", "unit of stress", REQUIRED, r#""MPa""#, "unit of its stresses"),
         text("theta", r#"`"theta_deg"`"#, r#""theta_deg""#, "its column of angles in degrees"),
         text("radial", r#"`"sigma_r"`"#, r#""sigma_r""#, "its column of σ_r"),
         text("shear", r#"`"tau_rtheta"`"#, r#""tau_rtheta""#, "its column of τ_rθ"),
-        words("steps", "list of numbers", REQUIRED, "[1.0]", "factors of its stresses"),
+        described("steps", "list of numbers", REQUIRED, "[1.0]", "factors of its stresses"),
     ]),
     Table::new("loads.temperature", &[
         temperatures("steps", REQUIRED, r#"["-100 K"]"#,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::declaration::{Table, flag, words};
+use crate::declaration::{Table, described, flag};
 
 /// What is written beside tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -43,7 +43,7 @@ pub enum FieldOutput {
 #[rustfmt::skip]
 pub(crate) const TABLES: &[Table] = &[
     Table::new("output", &[
-        words("fields", r#"`"none"`, `"peak"`, `"last"`, `"all"`"#, r#"`"peak"`"#, r#""all""#,
+        described("fields", r#"`"none"`, `"peak"`, `"last"`, `"all"`"#, r#"`"peak"`"#, r#""all""#,
             "load steps whose displacements and stresses are written as VTU, and drawn: none, that of the largest load in \
             magnitude (the earliest of equals), of each load by which joints of their own are counted, the last, every one"),
         flag("figures", "`true`", "false", "whether figures are drawn, as SVG, as PNG and in `report.html`"),

@@ -3,8 +3,8 @@
 use super::{Axis, SetRef};
 use crate::declaration::choices::coded;
 use crate::declaration::{
-    NONE, POSITIVE, REQUIRED, Range, Table, counts, energy, integer, length, names, number,
-    numbers, set, table, table_as, words,
+    NONE, POSITIVE, REQUIRED, Range, Table, counts, described, energy, integer, length, names,
+    number, numbers, set, table, table_as,
 };
 use crate::units::{FractureEnergy, Length, Quantity};
 use serde::{Deserialize, Serialize};
@@ -188,7 +188,7 @@ const PART: Range = numbers(" in (0, 1]", "greater than 0, at most 1", |value| {
 #[rustfmt::skip]
 pub(crate) const TABLES: &[Table] = &[
     Table::new("failure.progressive", &[
-        words("body", "body", "the only one of `failure.bodies`", r#""coupon""#,
+        described("body", "body", "the only one of `failure.bodies`", r#""coupon""#,
             "the body whose plies fail; one contact touches its hole"),
         names("model", models, REQUIRED, ".ply_discount = { fibre = 0.01, matrix = 0.1 }",
             "how plies lose stiffness: the point model by name, with its parameters; those of other crates too"),
@@ -212,7 +212,7 @@ pub(crate) const TABLES: &[Table] = &[
     Table::new("failure.progressive.control.displacement", &[
         set("on", REQUIRED, r#""plate.left""#,
             "the edge or point that is driven, of an elastic body; a support or platen there gives way along the axis"),
-        words("axis", r#"`"x"`, `"y"`"#, r#"`"x"`"#, r#""y""#, "axis of the drive"),
+        described("axis", r#"`"x"`, `"y"`"#, r#"`"x"`"#, r#""y""#, "axis of the drive"),
         length("end", REQUIRED, r#""-0.4 mm""#, "displacement at the end").range(NOT_ZERO),
         integer("increments", "`40`", "60",
             "increments of the history, cut where many plies fail at once").range(counts(1, 10_000)),

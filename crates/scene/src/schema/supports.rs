@@ -2,8 +2,8 @@
 
 use super::SetRef;
 use crate::declaration::{
-    NONE, POSITIVE, REQUIRED, Table, angle, bed_stiffness, filled, length, set, spring_stiffness,
-    words,
+    NONE, POSITIVE, REQUIRED, Table, angle, bed_stiffness, described, filled, length, set,
+    spring_stiffness,
 };
 use crate::units::{Angle, BedStiffness, Length, Quantity, SpringStiffness};
 use serde::{Deserialize, Serialize};
@@ -193,7 +193,7 @@ impl PlatenFormat {
 pub(crate) const TABLES: &[Table] = &[
     Table::new("supports", &[
         set("on", REQUIRED, r#""plate.left""#, "edge, point, or area, whose mean displacement is held by a reaction that is spread evenly over it"),
-        words("fix", r#"list of `"x"`, `"y"`"#, "required, or `normal`", r#"["x"]"#,
+        described("fix", r#"list of `"x"`, `"y"`"#, "required, or `normal`", r#"["x"]"#,
             "axes along which the nodes are held").range(filled(r#"["x"], ["y"] or ["x", "y"]"#)),
         angle("normal", NONE, r#""30 deg""#, "one direction, from +x, along which the nodes are held; across it they slide"),
         length("displacement", "0", r#""0.01 mm""#,
@@ -204,7 +204,7 @@ pub(crate) const TABLES: &[Table] = &[
     ]).one_of(&[&["fix"], &["normal"]], r#"fix = ["x", "y"], normal = "30 deg""#),
     Table::new("platens", &[
         set("on", REQUIRED, r#""plate.left""#, "the edge"),
-        words("free", r#"list of `"x"`, `"y"`"#, REQUIRED, r#"["x", "y"]"#,
+        described("free", r#"list of `"x"`, `"y"`"#, REQUIRED, r#"["x", "y"]"#,
             "axes along which it moves freely; along the others it is held, `[]` holds it"),
     ]),
 ];

@@ -8,6 +8,8 @@ use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes
 use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
+pub(super) use super::line_contact::MESH_KEYS;
+
 pub(super) const MEANING: &str = "|x| ≤ half_length, −depth ≤ y ≤ 0; its top is the edge `contact`; edges `contact`, \
     `bottom`, `left`, `right`";
 
@@ -70,7 +72,7 @@ impl Outline for Block {
     }
 
     fn mesh_keys(&self) -> &'static [&'static str] {
-        line_contact::MESH_KEYS
+        MESH_KEYS
     }
 
     fn fine_to(&self, given: Option<f64>) -> Option<f64> {

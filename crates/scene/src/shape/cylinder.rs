@@ -10,6 +10,8 @@ use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::document::child;
 use crate::units::{Length, Quantity};
 
+pub(super) use super::line_contact::MESH_KEYS;
+
 pub(super) const MEANING: &str = "from the arc that touches the origin from above up to y = depth, |x| ≤ half_length; its \
     arc is the edge `contact`; edges `contact`, `top`";
 
@@ -106,7 +108,7 @@ impl Outline for Cylinder {
     }
 
     fn mesh_keys(&self) -> &'static [&'static str] {
-        line_contact::MESH_KEYS
+        MESH_KEYS
     }
 
     fn fine_to(&self, given: Option<f64>) -> Option<f64> {

@@ -7,9 +7,11 @@ use stickslip_fem_core::generate;
 use stickslip_fem_core::mesh::Point;
 
 use super::hole::SQUARE;
-use super::outline::{CIRCLE_KEYS, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
+
+pub(super) use super::outline::CIRCLE_KEYS as MESH_KEYS;
 
 pub(super) const MEANING: &str = "a disk around the origin, or in the hole that holds it; edges `rim`; points `centre`; areas `section`";
 
@@ -71,7 +73,7 @@ impl Outline for Disk {
     }
 
     fn mesh_keys(&self) -> &'static [&'static str] {
-        CIRCLE_KEYS
+        MESH_KEYS
     }
 
     fn is_similar(&self) -> bool {

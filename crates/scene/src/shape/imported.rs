@@ -24,23 +24,26 @@ use self::placed::{on_circles, placed};
 use super::Shape;
 use super::note::FileNote;
 use super::outline::{CircleFit, Divided, DivisionError, Edge, Meshing, Outline, Sizes};
-use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, lengths, text, words};
+use crate::declaration::{Key, NONE, POSITIVE, REQUIRED, described, lengths, text};
 use crate::digest::sha256;
 use crate::document::child;
 use crate::units::{Length, Quantity, UnitName};
 
 const NAME: &str = "mesh";
 
+/// None: no setting divides it.
+pub(super) const MESH_KEYS: &[&str] = &[];
+
 pub(super) const MEANING: &str = "a mesh of Gmsh (`.msh`, text), Abaqus or CalculiX (`.inp`), or VTK (`.vtu`); edges and points as its sets are named";
 
 #[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
     text("file", REQUIRED, r#""data/lug.inp""#, "the file, relative to the folder of the scene"),
-    words("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
+    described("unit", "unit of length", REQUIRED, r#""mm""#, "unit of its coordinates"),
     text("elements", NONE, r#""body""#, "the element set or physical surface that is the body, of a file with several; all cells otherwise"),
-    words("circles", "list of edges", NONE, r#"["bolt"]"#, "closed edges that are circles, although their nodes are off them by up to 5 % of the radius: they are put onto them"),
+    described("circles", "list of edges", NONE, r#"["bolt"]"#, "closed edges that are circles, although their nodes are off them by up to 5 % of the radius: they are put onto them"),
     lengths("radii", NONE, r#"["10 mm"]"#, "radii of `circles`, in their order; those of the fits through their nodes otherwise").range(POSITIVE),
-    words("splines", "list of edges", NONE, r#"["end"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
+    described("splines", "list of edges", NONE, r#"["end"]"#, "open edges that are smooth curves, neither lines nor circles nor some of these: splines through their nodes"),
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -285,7 +288,7 @@ impl Outline for GivenMesh {
     }
 
     fn mesh_keys(&self) -> &'static [&'static str] {
-        &[]
+        MESH_KEYS
     }
 
     fn digest(&self) -> Option<&str> {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::declaration::{Key, Range, Table, counts, integer, words};
+use crate::declaration::{Key, Range, Table, counts, described, integer};
 use crate::units::{Length, Quantity};
 
 /// Most rows, and most columns.
@@ -29,7 +29,7 @@ const PATTERN: [Key; 3] = [
         "number of columns, which follow each other along x",
     )
     .range(COUNT),
-    words(
+    described(
         "pitch",
         "two lengths",
         "required of holes and cut-outs",

@@ -23,12 +23,12 @@ use stickslip_mesher::{Contour, ContourMesh, Hole, Piece};
 
 use super::Shape;
 use super::curve::Curve;
-use super::hole::MESH_KEYS;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role};
 
 #[cfg(test)]
 pub(super) use self::keys::EXAMPLE;
 pub(super) use self::keys::{Keys, MEANING, ROWS, TABLES};
+pub(super) use super::hole::MESH_KEYS;
 
 const NAME: &str = "outline";
 /// Lines, arcs and splines around a body, with cut-outs and circular holes.

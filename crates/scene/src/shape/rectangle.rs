@@ -8,6 +8,8 @@ use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
 use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
+pub(super) const MESH_KEYS: &[&str] = &["spacing"];
+
 pub(super) const MEANING: &str =
     "|x| ≤ width/2, −height ≤ y ≤ 0; edges `left`, `right`, `bottom`, `top`";
 
@@ -69,7 +71,7 @@ impl Outline for Rectangle {
     }
 
     fn mesh_keys(&self) -> &'static [&'static str] {
-        &["spacing"]
+        MESH_KEYS
     }
 
     /// Equal cells of the scene's spacing, or 20 across the shorter side.

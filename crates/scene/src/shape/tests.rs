@@ -54,13 +54,16 @@ impl Sizes for Right {
     }
 }
 
-/// All shapes, as scenes write them.
+/// All shapes as scenes write them.
+fn formats() -> impl Iterator<Item = ShapeFormat> {
+    let read = |text: &&str| toml::from_str(text).unwrap_or_else(|why| panic!("{text}: {why}"));
+    EXAMPLES.iter().map(read)
+}
+
 fn shapes() -> Vec<Shape> {
-    let read = |text: &&str| {
-        let given: ShapeFormat = toml::from_str(text).unwrap_or_else(|why| panic!("{text}: {why}"));
-        given.read("shape", &mut Right)
-    };
-    EXAMPLES.iter().map(read).collect()
+    formats()
+        .map(|given| given.read("shape", &mut Right))
+        .collect()
 }
 
 /// The shape that `own` is divided together with, if it is.
@@ -448,6 +451,13 @@ fn a_hole_takes_a_rim_a_cap_a_surface_and_an_open_edge_another() {
             );
         }
     }
+}
+
+#[test]
+fn a_mesh_of_its_own_is_known_before_it_is_read() {
+    let own = formats().map(|given| given.has_own_mesh());
+    let read = shapes().into_iter().map(|shape| shape.has_own_mesh());
+    assert!(own.eq(read));
 }
 
 #[test]

@@ -17,7 +17,7 @@ use stickslip_fem_core::InterfaceOperator;
 
 use super::queue::Queue;
 use super::row::{Measures, Outcome, Row};
-use super::store::Store;
+use super::store::{Form, Store};
 use super::{Sweep, SweepError, bodies};
 use stickslip_engine::model::{Model, ModelBody, ModelBodyKind, ModelError};
 use stickslip_engine::results::Results;
@@ -246,12 +246,11 @@ impl<'a> Shop<'a> {
                 };
                 condensed.map_err(|cause| format!("body '{}': {cause}", body.name))
             };
-            let held = if body.ends.is_empty() {
-                key.clone()
-            } else {
-                format!("{key} in blocks")
+            let form = Form {
+                half: model.half,
+                in_blocks: !body.ends.is_empty(),
             };
-            let (condensed, made) = self.store.get(&held, model.half, condense);
+            let (condensed, made) = self.store.get(&key, form, condense);
             self.condensed
                 .fetch_add(usize::from(made), Ordering::Relaxed);
             condensed.map(Operator::Elastic)

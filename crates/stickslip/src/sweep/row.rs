@@ -2,9 +2,8 @@
 
 use super::Sweep;
 use super::axis::tidy;
-use stickslip_engine::LoadScale;
 use stickslip_engine::results::{
-    BodyFailure, Finding, FirstPly, JointMode, LoadValue, Results, Stated,
+    BodyFailure, Finding, FirstPly, JointMode, LoadScale, LoadValue, Results, Stated,
 };
 
 /// A case.

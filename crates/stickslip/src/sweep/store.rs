@@ -11,8 +11,15 @@ type Slot = OnceLock<Result<Arc<CondensedBody>, String>>;
 struct Entry {
     /// Cases that still need it.
     uses: usize,
-    /// Of the whole and of the half model.
-    slots: [Arc<Slot>; 2],
+    slots: HashMap<Form, Arc<Slot>>,
+}
+
+/// What bodies of one key differ in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Form {
+    pub(super) half: bool,
+    /// Whether the compliance has a block for each edge.
+    pub(super) in_blocks: bool,
 }
 
 /// Condensed bodies by key.
@@ -45,13 +52,13 @@ impl Store {
     pub(super) fn get(
         &self,
         key: &str,
-        half: bool,
+        form: Form,
         condense: impl FnOnce() -> Result<CondensedBody, String>,
     ) -> (Result<Arc<CondensedBody>, String>, bool) {
         let slot = {
             let mut entries = self.locked();
             let entry = entries.entry(key.to_owned()).or_default();
-            Arc::clone(&entry.slots[usize::from(half)])
+            Arc::clone(entry.slots.entry(form).or_default())
         };
         let mut made = false;
         let body = slot.get_or_init(|| {
@@ -70,5 +77,10 @@ impl Store {
                 entries.remove(key);
             }
         }
+    }
+
+    #[cfg(test)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.locked().is_empty()
     }
 }

@@ -86,10 +86,10 @@ fn the_dynamic_coefficient_is_found_and_the_static_one_has_an_upper_bound_alone(
 }
 
 #[test]
-fn a_full_passage_gives_all_parameters_of_the_slip_power_law_and_rules_the_others_out() {
+fn a_full_transition_gives_all_parameters_of_the_slip_power_law_and_rules_the_others_out() {
     let (truth, model) = (aluminium(2.25), aluminium(4.5));
     let text = r#"{ "slip_power": { "static": 0.4, "dynamic": 0.2, "slip_scale": 0.002, "exponent": 2.0 } }"#;
-    let passage = candidate(
+    let transition = candidate(
         "slip power",
         text,
         &[
@@ -103,7 +103,7 @@ fn a_full_passage_gives_all_parameters_of_the_slip_power_law_and_rules_the_other
         &model,
         &truth,
         text,
-        &[coulomb(), drop_law(), passage],
+        &[coulomb(), drop_law(), transition],
         &[2, 3, 6, 9],
     );
     let own = &found.fits[2];

@@ -44,6 +44,7 @@ pub(crate) fn results() -> Results {
             value: "half".into(),
             reason: "all is symmetric".into(),
         }],
+        blocks: None,
         findings: vec![Finding::PointsInDoubt {
             steps: vec![3],
             points: 1,

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 use stickslip::output::{OutputError, summary_json, write};
+use stickslip::results::{BlockError, Choice};
 
 use super::files::written;
 use super::fixture::{LOADS, RADIUS, THICKNESS, open_hole, results};
@@ -169,6 +170,32 @@ fn the_file_is_the_value() {
 }
 
 /// Of two equal keys of one object only the last would be read. The parts of a step that are flattened into it must not share any.
+/// Between the solver and what was chosen after it.
+#[test]
+fn the_error_of_blocks_is_stated_among_the_choices() {
+    let mut results = results();
+    let choice = |what: &str| Choice {
+        what: what.to_owned(),
+        value: "so".to_owned(),
+        reason: String::new(),
+    };
+    results.choices = vec![choice(Choice::SOLVER), choice("errors")];
+    results.blocks = Some(BlockError {
+        rank: 7,
+        tractions: 0.25,
+        displacement: 0.5,
+    });
+    let summary = summary_json(&results).unwrap();
+    let whats = [0, 1, 2].map(|k| &summary["choices"][k]["what"]);
+    assert_eq!(whats, ["solver", "compliance in blocks", "errors"]);
+    let expected = json!({
+        "what": "compliance in blocks",
+        "value": "at most 7 shapes an edge, tractions to 0.25 of the peak pressure",
+        "reason": "displacements of contact points to 0.5 mm of those by the whole factor",
+    });
+    assert_eq!(summary["choices"][1], expected);
+}
+
 #[test]
 fn no_key_stands_twice() {
     let mut line_first = results();

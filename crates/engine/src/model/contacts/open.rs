@@ -13,6 +13,7 @@
 use std::ops::Range;
 
 use stickslip_fem_core::mesh::{EdgePath, Mesh, Point};
+use stickslip_fem_core::vector::dot;
 use stickslip_scene::schema::SetRef;
 use stickslip_scene::shape::Path;
 use stickslip_scene::units::Unit;
@@ -383,10 +384,6 @@ impl Walked<'_> {
 fn is_even(at: &[f64]) -> bool {
     let part = (at[1] - at[0]) / (at[2] - at[0]);
     (0.25..=0.75).contains(&part)
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 /// The nodes of an edge with their places by `place`.

@@ -6,9 +6,9 @@ use crate::results::display::EdgeView;
 use crate::results::names::{FileNames, step_name};
 use crate::results::progressive::{self, ProgressiveView};
 use crate::results::{File, FileNote};
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{EdgePlies, FailurePoint, PointErrors, Results};
 use stickslip_report::csv::{self, number};
+use stickslip_results::LoadScale;
+use stickslip_results::{EdgePlies, FailurePoint, PointErrors, Results};
 
 /// All files about failure, and what they hold.
 pub(crate) fn files(results: &Results) -> (Vec<File>, Vec<FileNote>) {

@@ -8,7 +8,7 @@ use super::{FailureView, criterion_name, plane_symbols};
 use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
 use crate::results::figures::edge::{TICK_INTERVALS, along, place_axis};
-use stickslip_engine::results::{EdgePlies, EdgePly, Envelope};
+use stickslip_results::{EdgePlies, EdgePly, Envelope};
 use stickslip_scene::schema::EnvelopePlane;
 use stickslip_text::{short, significant};
 

@@ -8,7 +8,7 @@ use stickslip_report::field::FieldPlot;
 use super::{FailureView, criterion_name};
 use crate::results::attempt::Attempt;
 use crate::results::figures::fields::{around, distance, drawn, is_within};
-use stickslip_engine::results::{EdgeGeometry, EdgeKind, PlyMap};
+use stickslip_results::{EdgeGeometry, EdgeKind, PlyMap};
 use stickslip_text::significant;
 
 /// Half of the window around a hole, in radii.

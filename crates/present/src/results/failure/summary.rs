@@ -7,7 +7,7 @@ use super::tables::hypotheses;
 use crate::results::progressive::ProgressiveView;
 use crate::results::progressive::summary::{Progressive, progressive};
 use crate::results::quantity::Quantity;
-use stickslip_engine::results::{FailurePoint, FirstPly, PlyGroup};
+use stickslip_results::{FailurePoint, FirstPly, PlyGroup};
 use stickslip_text::tidy;
 
 #[derive(Debug, Serialize)]

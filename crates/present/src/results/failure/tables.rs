@@ -3,9 +3,9 @@
 use stickslip_report::table::Table;
 
 use super::{FailureView, criterion_name, how, layers, load_text};
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{FirstPly, JointFailure};
 use stickslip_laminate::failure::criterion_named;
+use stickslip_results::LoadScale;
+use stickslip_results::{FirstPly, JointFailure};
 use stickslip_text::{decimals, significant};
 
 /// What fails first, by every criterion and hypothesis.

@@ -1,10 +1,10 @@
 //! The whole of every elastic body in its deformed shape, exaggerated, with its von Mises stress, half models completed by their mirror image.
 
-use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodyFields, Results, von_mises};
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_report::axis::extent;
 use stickslip_report::field::FieldPlot;
+use stickslip_results::LoadScale;
+use stickslip_results::{BodyFields, Results, von_mises};
 use stickslip_text::{short, significant};
 
 use super::fields::drawn;
@@ -56,9 +56,8 @@ impl<'a> Shape<'a> {
     fn image(&self) -> Option<[f64; 2]> {
         let half = self.results.edges.iter().find(|edge| edge.half)?;
         Some(match half.kind {
-            stickslip_engine::results::EdgeKind::Circle { .. } => [1.0, -1.0],
-            stickslip_engine::results::EdgeKind::Line
-            | stickslip_engine::results::EdgeKind::Path => [-1.0, 1.0],
+            stickslip_results::EdgeKind::Circle { .. } => [1.0, -1.0],
+            stickslip_results::EdgeKind::Line | stickslip_results::EdgeKind::Path => [-1.0, 1.0],
         })
     }
 

@@ -7,7 +7,7 @@ use super::{half_remark, margin_remark, zone_bands};
 use crate::results::attempt::Attempt;
 use crate::results::display::{EdgeView, even};
 use crate::results::zones::{contact_ranges, contact_reach, is_closed, modelled, stick_ranges};
-use stickslip_engine::results::{EdgeRow, RowErrors};
+use stickslip_results::{EdgeRow, RowErrors};
 use stickslip_text::{decimals, short, significant};
 
 /// Part of a contact line that is shown, in widths of all contact.

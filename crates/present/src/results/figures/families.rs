@@ -11,7 +11,7 @@ use super::{last_largest, margin_remark};
 use crate::results::attempt::Attempt;
 use crate::results::display::{EdgeView, even};
 use crate::results::zones::contact_reach;
-use stickslip_engine::results::{EdgeRow, RowErrors};
+use stickslip_results::{EdgeRow, RowErrors};
 use stickslip_text::{decimals, significant};
 
 /// Steps up to which every curve has its own entry in the legend: as many as stand beside one chart.

@@ -13,7 +13,7 @@ use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
 use crate::results::findings::quoted;
 use crate::results::vtk_files::von_mises_stresses;
-use stickslip_engine::results::{BodyFields, EdgeKind, Results, StepResults};
+use stickslip_results::{BodyFields, EdgeKind, Results, StepResults};
 use stickslip_text::significant;
 
 /// Half of the window around a hole, in radii.

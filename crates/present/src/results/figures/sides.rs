@@ -1,11 +1,11 @@
 //! Stresses on both sides of a contact at the largest load: of the first body along its edge, of the second at the nodes of its field.
 
-use stickslip_engine::results::SecondSide;
 use stickslip_fem_core::stress::polar;
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 use stickslip_report::color::Color;
 use stickslip_report::table::Table;
+use stickslip_results::SecondSide;
 use stickslip_text::significant;
 
 use super::edge::{TICK_INTERVALS, along, around_contact, curve, place_axis};

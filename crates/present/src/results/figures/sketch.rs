@@ -12,7 +12,7 @@ use stickslip_report::svg::Svg;
 
 use self::walk::{ahead, along, arrow, beside, inwards, keep_apart};
 use super::{Group, Plan};
-use stickslip_engine::results::{Acting, Problem, Results, Site, SitePart};
+use stickslip_results::{Acting, Problem, Results, Site, SitePart};
 use stickslip_scene::schema::DisplayUnits;
 
 /// Margin around the bodies, and length of an arrow, as parts of the larger size of all.

@@ -1,6 +1,6 @@
 //! Findings about one contact as sentences.
 
-use stickslip_engine::results::{ContactFinding, Quantity};
+use stickslip_results::{ContactFinding, Quantity};
 use stickslip_scene::schema::DisplayUnits;
 
 use super::{load_steps, quoted};

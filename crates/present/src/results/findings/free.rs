@@ -1,6 +1,6 @@
 //! Bodies that nothing holds, as sentences.
 
-use stickslip_engine::results::{FreeBody, FreeMotion};
+use stickslip_results::{FreeBody, FreeMotion};
 
 /// That a body moves without resistance, with slip in `contacts`.
 pub(super) fn body(free: &FreeBody, contacts: &str) -> String {

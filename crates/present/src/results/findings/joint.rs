@@ -1,7 +1,7 @@
 //! What a followed joint has less of than the scene asks for, as sentences.
 
 use super::quoted;
-use stickslip_engine::results::{JointFinding, Quantity};
+use stickslip_results::{JointFinding, Quantity};
 use stickslip_scene::schema::DisplayUnits;
 
 /// `finding` as a sentence or some, with lengths in `units`.

@@ -6,7 +6,7 @@ use stickslip_report::color::Color;
 
 use super::{ProgressiveView, tables};
 use crate::results::attempt::Attempt;
-use stickslip_engine::results::{EdgeStrain, ProgressiveFailure};
+use stickslip_results::{EdgeStrain, ProgressiveFailure};
 
 /// Colour of what is there for comparison.
 const MUTED: Color = Color::rgb(0x80, 0x80, 0x80);

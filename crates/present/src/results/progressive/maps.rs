@@ -11,7 +11,7 @@ use stickslip_report::mesh_map::MeshMap;
 use super::ProgressiveView;
 use crate::results::attempt::Attempt;
 use crate::results::figures::fields::{around, distance, drawn};
-use stickslip_engine::results::ProgressiveFailure;
+use stickslip_results::ProgressiveFailure;
 use stickslip_text::significant;
 
 /// Room around the damage and the hole, in radii.

@@ -7,7 +7,7 @@ use super::tables::DEPARTURE;
 use super::{ProgressiveView, mode_name};
 use crate::results::findings::{Entry, entries};
 use crate::results::quantity::Quantity;
-use stickslip_engine::results::{CurvePoint, PlyLoss, ProgressiveEnd};
+use stickslip_results::{CurvePoint, PlyLoss, ProgressiveEnd};
 use stickslip_text::tidy;
 
 #[derive(Debug, Serialize)]

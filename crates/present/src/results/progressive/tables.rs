@@ -5,7 +5,7 @@ use stickslip_report::table::Table;
 
 use super::reasons::reasons;
 use super::{ProgressiveView, mode_name};
-use stickslip_engine::results::{PlyLoss, ProgressiveEnd, ProgressiveFailure};
+use stickslip_results::{PlyLoss, ProgressiveEnd, ProgressiveFailure};
 use stickslip_text::{decimals, significant};
 
 /// First failure, first broken fibres, peak and end of the curve.

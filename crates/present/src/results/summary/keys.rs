@@ -26,7 +26,7 @@ pub(crate) struct Summary<'a> {
     pub(super) scene_hash: &'a str,
     pub(super) program: Program,
     pub(super) units: Units,
-    pub(super) choices: Vec<Choice<'a>>,
+    pub(super) choices: Vec<Choice>,
     pub(crate) notes: Vec<String>,
     pub(super) findings: Vec<Entry>,
     pub(super) bodies: Vec<Body<'a>>,
@@ -95,10 +95,10 @@ pub(super) struct Units {
 }
 
 #[derive(Debug, Serialize)]
-pub(super) struct Choice<'a> {
-    pub(super) what: &'a str,
-    pub(super) value: &'a str,
-    pub(super) reason: &'a str,
+pub(super) struct Choice {
+    pub(super) what: String,
+    pub(super) value: String,
+    pub(super) reason: String,
 }
 
 #[derive(Debug, Serialize)]

@@ -9,8 +9,8 @@ use stickslip_mesher::{Contour, Course, Cutout, Hole, Piece, Spline};
 
 use super::Profile;
 use crate::declaration::{
-    Key, NONE, POSITIVE, REQUIRED, Range, Table, angle, length, number, numbers, table, tables_of,
-    text, words,
+    Key, NONE, POSITIVE, REQUIRED, Range, Table, angle, described, length, number, numbers, table,
+    tables_of, text,
 };
 use crate::document::child;
 use crate::shape::outline::Sizes;
@@ -31,21 +31,21 @@ const EDGE: [Key; 7] = [
         r#""end""#,
         "name of the edge; neighbours with one name are one edge",
     ),
-    words(
+    described(
         "to",
         "two lengths",
         "`start`, of the last edge",
         r#"["40 mm", "20 mm"]"#,
         "where it ends",
     ),
-    words(
+    described(
         "through",
         "two lengths",
         "a straight edge",
         r#"["60 mm", "0 mm"]"#,
         "a point between its ends, which makes it an arc",
     ),
-    words(
+    described(
         "spline",
         "list of pairs of lengths",
         "a straight edge",
@@ -75,12 +75,12 @@ const EDGE: [Key; 7] = [
 
 #[rustfmt::skip]
 pub(crate) const ROWS: &[Key] = &[
-    words("start", "two lengths", REQUIRED, r#"["-60 mm", "-20 mm"]"#, "where the first edge begins"),
-    words("edges", "list of tables", REQUIRED, r#"[{ name = "bottom", to = ["40 mm", "-20 mm"] }, { name = "end", to = ["40 mm", "20 mm"], through = ["60 mm", "0 mm"] }, { name = "top", to = ["-60 mm", "20 mm"] }, { name = "left" }]"#,
+    described("start", "two lengths", REQUIRED, r#"["-60 mm", "-20 mm"]"#, "where the first edge begins"),
+    described("edges", "list of tables", REQUIRED, r#"[{ name = "bottom", to = ["40 mm", "-20 mm"] }, { name = "end", to = ["40 mm", "20 mm"], through = ["60 mm", "0 mm"] }, { name = "top", to = ["-60 mm", "20 mm"] }, { name = "left" }]"#,
         "the [edges](#bodiesnameshapeoutlineedges), counter-clockwise, each from the end of the one before"),
     tables_of("cutouts", NONE, "slots and windows by name"),
     tables_of("holes", NONE, "circular holes by name"),
-    words("points", "table of two lengths", NONE, r#"{ corner = ["40 mm", "20 mm"] }"#, "names of places where edges end, which forces, supports and springs act on"),
+    described("points", "table of two lengths", NONE, r#"{ corner = ["40 mm", "20 mm"] }"#, "names of places where edges end, which forces, supports and springs act on"),
 ];
 
 const COURSES: &[&[&str]] = &[&["through"], &["spline", "leaves", "arrives"]];
@@ -91,14 +91,14 @@ const COURSE_CHOICES: &str = r#"through = ["60 mm", "0 mm"], spline = [["52 mm",
 pub(crate) const TABLES: &[Table] = &[
     Table::new("bodies.NAME.shape.outline.edges", &EDGE).at_most_one_of(COURSES, COURSE_CHOICES),
     Table::new("bodies.NAME.shape.outline.cutouts.NAME", &[
-        words("start", "two lengths", REQUIRED, r#"["-50 mm", "-4 mm"]"#, "where its first edge begins"),
-        words("edges", "list of tables", REQUIRED, r#"[{ name = "slot-below", to = ["-30 mm", "-4 mm"] }, { name = "slot-right", to = ["-30 mm", "4 mm"], through = ["-26 mm", "0 mm"] }, { name = "slot-above", to = ["-50 mm", "4 mm"] }, { name = "slot-left", through = ["-54 mm", "0 mm"] }]"#,
+        described("start", "two lengths", REQUIRED, r#"["-50 mm", "-4 mm"]"#, "where its first edge begins"),
+        described("edges", "list of tables", REQUIRED, r#"[{ name = "slot-below", to = ["-30 mm", "-4 mm"] }, { name = "slot-right", to = ["-30 mm", "4 mm"], through = ["-26 mm", "0 mm"] }, { name = "slot-above", to = ["-50 mm", "4 mm"] }, { name = "slot-left", through = ["-54 mm", "0 mm"] }]"#,
             "the [edges](#bodiesnameshapeoutlinecutoutsnameedges), counter-clockwise as those around the body"),
         table("pattern", NONE, pattern::MEANING),
     ]),
     Table::new("bodies.NAME.shape.outline.cutouts.NAME.edges", &EDGE).at_most_one_of(COURSES, COURSE_CHOICES),
     Table::new("bodies.NAME.shape.outline.holes.NAME", &[
-        words("centre", "two lengths", REQUIRED, r#"["40 mm", "0 mm"]"#, "its centre"),
+        described("centre", "two lengths", REQUIRED, r#"["40 mm", "0 mm"]"#, "its centre"),
         length("radius", REQUIRED, r#""5 mm""#, "its radius").range(POSITIVE),
         table("pattern", NONE, pattern::MEANING),
     ]),

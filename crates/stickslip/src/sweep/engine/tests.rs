@@ -25,13 +25,13 @@ values = [["1 kN", "4 kN"], ["3 kN", "0.5 kN"]]
 "#;
 
 fn sweep(axes: &str, overrides: &[&str]) -> (TempDir, Sweep) {
+    sweep_of("sweeps/pinned-joint.toml", axes, overrides)
+}
+
+fn sweep_of(scene: &str, axes: &str, overrides: &[&str]) -> (TempDir, Sweep) {
     let folder = TempDir::new().unwrap();
-    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/sweeps");
-    fs::copy(
-        scenes.join("pinned-joint.toml"),
-        folder.path().join("joint.toml"),
-    )
-    .unwrap();
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    fs::copy(scenes.join(scene), folder.path().join("joint.toml")).unwrap();
     let path = folder.path().join("sweep.toml");
     fs::write(&path, axes).unwrap();
     let sweep = Sweep::from_file(&path, overrides, HOST).unwrap();
@@ -263,4 +263,32 @@ values = [
     rows.sort_by_key(|row| row.case);
     let solved = |k: usize| matches!(rows[k].outcome, Outcome::Solved(_));
     assert!(!solved(0) && solved(1), "{rows:?}");
+}
+
+#[test]
+fn no_body_is_kept_after_the_last_case() {
+    let axes = r#"
+version = 1
+scene = "joint.toml"
+[joint]
+contact = "bolt-1"
+[[axes]]
+key = "contacts.0.friction.coulomb.mu"
+values = [0.1, 0.3]
+"#;
+    for compliance in ["matrix", "blocks"] {
+        let form = format!("analysis.compliance={compliance}");
+        let overrides = [r#"mesh.spacing="6 deg""#, &form];
+        let (_folder, sweep) = sweep_of("fasteners-five.toml", axes, &overrides);
+        let stop = AtomicBool::new(false);
+        let plans = (0..2).map(|case| (case, keys(&sweep, case))).collect();
+        let shop = Shop::new(&sweep, plans, &stop);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
+        let (sender, receiver) = channel();
+        shop.work(&pool.build().unwrap(), &sender);
+        drop(sender);
+        let mut rows = receiver.iter();
+        assert!(rows.all(|row| matches!(row.outcome, Outcome::Solved(_))));
+        assert!(shop.store.is_empty(), "{compliance}");
+    }
 }

@@ -9,8 +9,8 @@ use super::problem::{conflict, unknown};
 use super::{Base, Sweep, VERSION, joint};
 use crate::sweep::axis::{Axis, AxisKey, between};
 use crate::sweep::format::{AxisFormat, MapFormat, SweepFormat};
-use stickslip_engine::LoadScale;
 use stickslip_engine::model::LoadTable;
+use stickslip_engine::results::LoadScale;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText};
 use stickslip_scene::digest::sha256;
 use stickslip_scene::document::{Document, Part};
@@ -42,7 +42,9 @@ pub(super) fn sweep(
     let contact = joint::contact(&scene, &read.joint, &document)?;
     let criterion = joint::criterion(&scene, &read.joint, &document)?;
     let pair = &scene.contacts[contact];
-    let unit = LoadScale::unit_of(&LoadTable::of_contact(&scene, contact));
+    let loads = LoadTable::of_contact(&scene, contact);
+    let steps: Vec<_> = (0..loads.steps()).map(|step| loads.at_step(step)).collect();
+    let unit = LoadScale::unit_of(&steps, scene.display);
     let sweep = Sweep {
         title: read.title.unwrap_or_else(|| open::stem(&source_name)),
         description: read.description,

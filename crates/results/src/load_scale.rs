@@ -5,8 +5,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::model::LoadTable;
-use crate::results::{LoadValue, ResultPart, Results};
+use crate::{LoadValue, ResultPart, Results};
+use stickslip_scene::schema::DisplayUnits;
 use stickslip_text::short;
 
 /// One number per load step that says how much load there is.
@@ -52,15 +52,14 @@ impl LoadScale {
         peaks.into_iter().collect()
     }
 
-    /// Unit of the measure for what `loads` act on, before anything is solved; `None` where steps have a number only.
-    pub fn unit_of(loads: &LoadTable) -> Option<String> {
-        let steps: Vec<Vec<LoadValue>> =
-            (0..loads.steps()).map(|step| loads.at_step(step)).collect();
+    /// Unit of the measure, among `units`, for what the loads `steps` of all steps act on, before anything is solved; `None` where steps
+    /// have a number only.
+    pub fn unit_of(steps: &[Vec<LoadValue>], units: DisplayUnits) -> Option<String> {
         let steps: Vec<&[LoadValue]> = steps.iter().map(Vec::as_slice).collect();
         let force = || {
             Some(Self {
                 name: CONTACT_FORCE.into(),
-                unit: loads.units().force.name.into(),
+                unit: units.force.name.into(),
                 values: Vec::new(),
             })
         };

@@ -13,7 +13,7 @@ use stickslip_report::svg::Svg;
 const PLACES: usize = 60;
 
 /// Coefficients along the slip path that was reached, with the band of the laws in which they change and the truth of synthetic data;
-/// `None` where no fitted law has a passage.
+/// `None` where no fitted law has a transition.
 pub(super) fn figure(
     experiment: &Experiment,
     stage: &LawStage,

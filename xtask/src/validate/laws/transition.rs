@@ -15,7 +15,7 @@ const NEAR: f64 = 0.02;
 const PLACES: usize = 60;
 /// A count of intervals of 95 % is asserted to be one that chance alone goes below with less than this probability.
 const UNLIKELY: f64 = 0.01;
-const PASSAGE: &str =
+const TRANSITION: &str =
     r#"{ "slip_power": { "static": 0.4, "dynamic": 0.2, "slip_scale": 0.002, "exponent": 2.0 } }"#;
 /// Its parameters, and how far off the median may be, parts. Length and exponent make up for each other: their own intervals span a factor
 /// of ten and more, so that nothing can be asserted of so few values.
@@ -25,8 +25,8 @@ const KNOWN: [(&str, f64, Option<f64>); 4] = [
     ("slip_scale", 0.002, None),
     ("exponent", 2.0, None),
 ];
-/// Load steps at which a passage is seen, from 0.
-const PASSAGE_STEPS: [usize; 4] = [2, 3, 6, 9];
+/// Load steps at which a transition is seen, from 0.
+const TRANSITION_STEPS: [usize; 4] = [2, 3, 6, 9];
 
 /// The slip power law with its length: its parameters over seeds and pairs of meshes, and once its rivals.
 pub(super) fn checks(
@@ -34,9 +34,9 @@ pub(super) fn checks(
     studies: &[Study],
     seeds: u64,
 ) -> Result<usize, TaskError> {
-    let power = candidate_of_passage()?;
+    let power = candidate_of_transition()?;
     let rivals = [coulomb()?, drop_candidate()?, power.clone()];
-    let first = studies[1].fitted(PASSAGE, &rivals, &PASSAGE_STEPS, 1)?;
+    let first = studies[1].fitted(TRANSITION, &rivals, &TRANSITION_STEPS, 1)?;
     let mut solves = evaluations(&first);
     let distances: Vec<String> = (first.fits.iter())
         .map(|fit| format!("{} +{:.0}", fit.law.name, fit.distance))
@@ -46,7 +46,14 @@ pub(super) fn checks(
     for study in studies {
         let found: Vec<Comparison> = (1..=seeds)
             .into_par_iter()
-            .map(|seed| study.fitted(PASSAGE, std::slice::from_ref(&power), &PASSAGE_STEPS, seed))
+            .map(|seed| {
+                study.fitted(
+                    TRANSITION,
+                    std::slice::from_ref(&power),
+                    &TRANSITION_STEPS,
+                    seed,
+                )
+            })
             .collect::<Result<_, _>>()?;
         solves += found.iter().map(evaluations).sum::<usize>();
         fits.push(found.into_iter().flat_map(|own| own.fits).collect());
@@ -110,9 +117,9 @@ fn parameter(
 
 /// The coefficient along the slip path, whose parameters make up for each other: the farthest from the truth in each study.
 fn curve(checks: &mut Checks, studies: &[Study], fits: &[Vec<Fit>]) -> Result<(), TaskError> {
-    let truth = law(PASSAGE)?;
+    let truth = law(TRANSITION)?;
     for (k, (study, own)) in studies.iter().zip(fits).enumerate() {
-        let reach = study.slipped(PASSAGE, PASSAGE_STEPS[PASSAGE_STEPS.len() - 1])?;
+        let reach = study.slipped(TRANSITION, TRANSITION_STEPS[TRANSITION_STEPS.len() - 1])?;
         let slips: Vec<f64> = (0..=PLACES)
             .map(|k| reach * (k as f64 / PLACES as f64).powi(2))
             .collect();
@@ -152,12 +159,12 @@ fn fewest(count: usize) -> usize {
     count - missed
 }
 
-fn candidate_of_passage() -> Result<Candidate, TaskError> {
+fn candidate_of_transition() -> Result<Candidate, TaskError> {
     let free = [
         ("static", [0.0, 1.0]),
         ("dynamic", [0.0, 1.0]),
         ("slip_scale", [1e-4, 1e-1]),
         ("exponent", [0.2, 8.0]),
     ];
-    candidate("slip power", PASSAGE, &free)
+    candidate("slip power", TRANSITION, &free)
 }

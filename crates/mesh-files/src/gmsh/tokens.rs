@@ -1,4 +1,4 @@
-//! Words of a file, across lines, with the line that each stands on.
+//! Tokens of a file, across lines, with the line that each stands on.
 
 use std::str::SplitAsciiWhitespace;
 
@@ -6,22 +6,22 @@ use crate::error::ReadError;
 use crate::lines::{self, Lines};
 use crate::place::{Files, Place, Spot};
 
-/// Reads words, and lines where the format has them.
+/// Reads tokens, and lines where the format has them.
 #[derive(Clone, Debug)]
-pub(super) struct Words<'a> {
+pub(super) struct Tokens<'a> {
     lines: Lines<'a>,
-    words: SplitAsciiWhitespace<'a>,
+    tokens: SplitAsciiWhitespace<'a>,
 }
 
-impl<'a> Words<'a> {
+impl<'a> Tokens<'a> {
     pub(super) fn new(text: &'a str) -> Self {
         Self {
             lines: Lines::new(text),
-            words: "".split_ascii_whitespace(),
+            tokens: "".split_ascii_whitespace(),
         }
     }
 
-    /// The line of the last word.
+    /// The line of the last token.
     pub(super) fn spot(&self) -> Spot {
         Spot {
             file: 0,
@@ -31,16 +31,16 @@ impl<'a> Words<'a> {
 
     fn next(&mut self) -> Option<&'a str> {
         loop {
-            if let Some(word) = self.words.next() {
-                return Some(word);
+            if let Some(token) = self.tokens.next() {
+                return Some(token);
             }
-            self.words = self.lines.next()?.split_ascii_whitespace();
+            self.tokens = self.lines.next()?.split_ascii_whitespace();
         }
     }
 
     /// The next line that is not empty.
     pub(super) fn line(&mut self, what: &'static str) -> Result<&'a str, ReadError> {
-        self.words = "".split_ascii_whitespace();
+        self.tokens = "".split_ascii_whitespace();
         let line = self.lines.find(|line| !line.is_empty());
         line.ok_or_else(|| self.truncated(what))
     }
@@ -58,48 +58,48 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// The next word.
-    pub(super) fn word(&mut self, what: &'static str) -> Result<&'a str, ReadError> {
+    /// The next token.
+    pub(super) fn token(&mut self, what: &'static str) -> Result<&'a str, ReadError> {
         self.next().ok_or_else(|| self.truncated(what))
     }
 
-    /// The next word as a number of a node or an element, or a count.
+    /// The next token as a number of a node or an element, or a count.
     pub(super) fn integer(&mut self, what: &'static str) -> Result<u64, ReadError> {
-        let word = self.word(what)?;
-        lines::integer(word).ok_or_else(|| self.unexpected(what, word))
+        let token = self.token(what)?;
+        lines::integer(token).ok_or_else(|| self.unexpected(what, token))
     }
 
-    /// The next word as a tag of an entity or a group. Its sign, an orientation, is dropped.
+    /// The next token as a tag of an entity or a group. Its sign, an orientation, is dropped.
     pub(super) fn tag(&mut self, what: &'static str) -> Result<u64, ReadError> {
-        let word = self.word(what)?;
-        let tag = word.parse::<i64>().ok().map(i64::unsigned_abs);
-        tag.ok_or_else(|| self.unexpected(what, word))
+        let token = self.token(what)?;
+        let tag = token.parse::<i64>().ok().map(i64::unsigned_abs);
+        tag.ok_or_else(|| self.unexpected(what, token))
     }
 
-    /// The next word as a coordinate.
+    /// The next token as a coordinate.
     pub(super) fn real(&mut self, what: &'static str) -> Result<f64, ReadError> {
-        let word = self.word(what)?;
-        lines::real(word).ok_or_else(|| self.unexpected(what, word))
+        let token = self.token(what)?;
+        lines::real(token).ok_or_else(|| self.unexpected(what, token))
     }
 
     /// Goes to the next section, and returns its name without the sign; none at the end of the text.
     pub(super) fn section(&mut self) -> Result<Option<&'a str>, ReadError> {
-        let Some(word) = self.next() else {
+        let Some(token) = self.next() else {
             return Ok(None);
         };
-        let name = word.strip_prefix('$');
-        let name = name.ok_or_else(|| self.unexpected("a section", word))?;
+        let name = token.strip_prefix('$');
+        let name = name.ok_or_else(|| self.unexpected("a section", token))?;
         Ok(Some(name))
     }
 
     /// Reads the end of section `name`.
     pub(super) fn end(&mut self, name: &str) -> Result<(), ReadError> {
         const WHAT: &str = "the end of the section";
-        let word = self.word(WHAT)?;
-        if word.strip_prefix("$End") == Some(name) {
+        let token = self.token(WHAT)?;
+        if token.strip_prefix("$End") == Some(name) {
             Ok(())
         } else {
-            Err(self.unexpected(WHAT, word))
+            Err(self.unexpected(WHAT, token))
         }
     }
 
@@ -115,7 +115,7 @@ fn shortened(text: &str) -> String {
     text.chars().take(40).collect()
 }
 
-/// Where a word of a file that stands alone is.
+/// Where a token of a file that stands alone is.
 pub(super) fn place(spot: Spot) -> Place {
     Files::default().place(spot)
 }

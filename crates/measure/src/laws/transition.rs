@@ -82,11 +82,11 @@ mod tests {
     #[test]
     fn a_coefficient_is_that_of_the_slip_path_alone() {
         let text = r#"{ "slip_power": { "static": 0.4, "dynamic": 0.2, "slip_scale": 0.002, "exponent": 2.0 } }"#;
-        let passage = law(text);
-        assert_eq!(coefficient(passage.as_ref(), 0.0), Some(0.4));
-        let after = coefficient(passage.as_ref(), 0.002).unwrap();
+        let transition = law(text);
+        assert_eq!(coefficient(transition.as_ref(), 0.0), Some(0.4));
+        let after = coefficient(transition.as_ref(), 0.002).unwrap();
         assert!((after - 0.25).abs() < 1e-12, "{after}");
-        assert!(passes(passage.as_ref(), 0.001));
+        assert!(passes(transition.as_ref(), 0.001));
         let constant = law(r#"{ "coulomb": { "mu": 0.3 } }"#);
         assert!(!passes(constant.as_ref(), 1.0));
         let text =
