@@ -72,5 +72,5 @@ pub use registry::{Dimension, LawInfo, ParameterInfo, laws};
 pub use slip_power::{SlipPath, SlipPower};
 pub use static_dynamic::{StaticDynamic, Transition};
 
-/// The crate behind [`registry`], so that a law elsewhere can register without a dependency of its own.
+/// The crate behind [`registry`], by which a law elsewhere registers its parameters. Its `#[typetag::serde]` needs dependencies on `typetag` and `serde`.
 pub use inventory;

@@ -95,5 +95,5 @@ pub use stickslip_fem_core::material::{Material, MaterialError, PlaneStiffness};
 pub use stickslip_friction::{FibreCoverage, FrictionError, FrictionLaw, Kernel, PlyFraction};
 pub use strengths::{Strength, Strengths};
 
-/// The crate behind the registries, so that criteria and point models elsewhere register without a dependency of their own.
+/// The crate behind the registries, by which criteria and point models elsewhere register. The `#[typetag::serde]` of a point model needs dependencies on `typetag` and `serde`.
 pub use inventory;

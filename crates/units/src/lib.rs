@@ -36,6 +36,9 @@ mod parse;
 mod quantity;
 mod unit;
 
+/// The crate of the diagnostics that [`UnitError`] is.
+pub use miette;
+
 pub use parse::{Expected, UnitError, parse, unit_of};
 pub use quantity::{
     Angle, AngleOrLength, BedStiffness, Force, FractureEnergy, Length, Measure, PerLength,
