@@ -131,7 +131,8 @@ impl Model {
         let mut choices = Vec::new();
         let half = extent::choose(&plan, &mut choices)?;
         series::choose(&mut plan, scene, known, half, &mut choices)?;
-        let meshes = meshes::build(&plan, scene.limits(), half, &mut choices)?;
+        let meshes = meshes::build(&plan, scene.limits(), half, &mut choices)
+            .map_err(|why| why.moved(*origin))?;
         let materials = materials(scene)?;
         let mut contacts = contacts::build(&plan, scene.display, &meshes, half, &mut choices)?;
         for pair in &mut contacts.pairs {

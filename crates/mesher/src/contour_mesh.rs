@@ -67,7 +67,10 @@ impl ContourMesh {
                 nodes: nodes.saturating_mul((limit / corners.max(1)) << mirrors.len()),
                 limit,
             },
-            other => other.at_places(|place| framed.back(place)),
+            other => other.at_places(|place| {
+                let ([x, y], by) = (framed.back(place), self.division.centre);
+                [x + by[0], y + by[1]]
+            }),
         })?;
         let unfold = |all, mirror: &Mirror| mirror.unfold(all, &framed.plan);
         let whole = mirrors.iter().rev().fold(half, unfold);

@@ -246,10 +246,7 @@ pub enum ContourError {
         distance: f64,
     },
     /// Cells that stayed large or flat.
-    #[error(
-        "refinement is incomplete: {cells} cells are too large or too flat, the worst with a least angle of {:.2}° near ({:.6}, {:.6}); \
-         give holes near it more angles, or a finer spacing", angle.to_degrees(), at[0], at[1]
-    )]
+    #[error("{}, at ({:.6}, {:.6})", incomplete(*cells, *angle), at[0], at[1])]
     Incomplete {
         /// How many cells.
         cells: usize,
@@ -259,7 +256,7 @@ pub enum ContourError {
         at: Point,
     },
     /// Edges of the boundary that leave no room for a triangle.
-    #[error("boundary edges near ({:.6}, {:.6}) coincide or cross; use a finer spacing there", at[0], at[1])]
+    #[error("{MEET}, at ({:.6}, {:.6})", at[0], at[1])]
     EdgesMeet {
         /// About where `[length]`.
         at: Point,
@@ -343,6 +340,17 @@ fn called(cutout: Option<&String>) -> String {
     )
 }
 
+const MEET: &str = "boundary edges coincide or cross; use a finer spacing there";
+
+/// That `cells` stayed large or flat, the worst with the least angle `angle` `[rad]`.
+fn incomplete(cells: usize, angle: f64) -> String {
+    let degrees = angle.to_degrees();
+    format!(
+        "refinement is incomplete: {cells} cells are too large or too flat, the worst with a least angle of {degrees:.2}°; \
+         give holes near it more angles, or a finer spacing"
+    )
+}
+
 /// Memory of a node of a triangle mesh with its share of the cells `[bytes]`.
 const NODE_BYTES: usize = 64;
 
@@ -355,8 +363,17 @@ impl From<ContourError> for GenerateError {
                 limit,
             },
             ContourError::Mesh(error) => Self::Mesh(error),
+            ContourError::Incomplete { cells, angle, at } => Self::Contour {
+                reason: incomplete(cells, angle),
+                at: Some(at),
+            },
+            ContourError::EdgesMeet { at } => Self::Contour {
+                reason: MEET.to_owned(),
+                at: Some(at),
+            },
             other => Self::Contour {
                 reason: other.to_string(),
+                at: None,
             },
         }
     }

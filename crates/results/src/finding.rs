@@ -301,7 +301,7 @@ pub enum ContactFinding {
         /// The distance of nodes there.
         spacing: Quantity,
     },
-    /// It is between half-planes, and errors do not contain what the outlines of the bodies change.
+    /// It is between half-planes, and errors contain neither what the outlines of the bodies nor what the curvature of their edges changes.
     OutlineLeftOut {
         /// The load step in which it reaches farthest.
         step: usize,
@@ -309,6 +309,8 @@ pub enum ContactFinding {
         reach: Quantity,
         /// The smaller of the half length and the depth of the bodies.
         size: Quantity,
+        /// Radius of curvature of the edges against each other; `None` of straight ones.
+        radius: Option<Quantity>,
     },
     /// It touches where its edges cease to face each other, although the first goes on.
     BeyondFacing {

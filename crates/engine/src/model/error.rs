@@ -4,7 +4,7 @@ use stickslip_contact::ContactError;
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::generate::GenerateError;
 use stickslip_fem_core::material::MaterialError;
-use stickslip_fem_core::mesh::MeshError;
+use stickslip_fem_core::mesh::{MeshError, Point};
 use stickslip_scene::limits::TooLittleMemory;
 use thiserror::Error;
 
@@ -162,4 +162,17 @@ pub enum ModelError {
         /// What it needs.
         what: String,
     },
+}
+
+impl ModelError {
+    /// The same of a scene that stands `by` farther `[mm]`.
+    pub(super) fn moved(self, by: Point) -> Self {
+        match self {
+            Self::Generate { body, cause } => Self::Generate {
+                body,
+                cause: cause.placed(|[x, y]| [x + by[0], y + by[1]]),
+            },
+            other => other,
+        }
+    }
 }

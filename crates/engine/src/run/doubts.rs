@@ -67,10 +67,22 @@ pub(super) fn of_outlines(
             step,
             reach: Quantity::Length(reach),
             size: Quantity::Length(size),
+            radius: radius(pair, &geometry.parameter, reach).map(Quantity::Length),
         };
         Some(Finding::about(&geometry.name, found))
     };
     edges.iter().enumerate().filter_map(of_edge).collect()
+}
+
+/// Radius of curvature `[mm]` of the edges of `pair` against each other, by the gap x²/2R of its point at ±`reach` among those at `places`.
+fn radius(pair: &ContactPair, places: &[f64], reach: f64) -> Option<f64> {
+    let gaps = || pair.points.iter().map(|point| point.gap);
+    let least = gaps().fold(f64::INFINITY, f64::min);
+    let away = |place: &f64| (place.abs() - reach).abs();
+    let both = gaps().zip(places);
+    let (gap, place) = both.min_by(|one, other| away(one.1).total_cmp(&away(other.1)))?;
+    let rise = gap - least;
+    (rise > 0.0).then(|| 0.5 * place * place / rise)
 }
 
 /// Where an answer is not verified.

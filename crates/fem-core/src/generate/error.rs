@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::mesh::MeshError;
+use crate::mesh::{MeshError, Point};
 
 /// Why a mesh was not generated.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -125,12 +125,25 @@ pub enum GenerateError {
         limit: usize,
     },
     /// An outline or a hole that cannot be meshed, from generators of other crates.
-    #[error("{reason}")]
+    #[error("{reason}{}", at.map_or_else(String::new, |[x, y]| format!(", at ({x:.6}, {y:.6})")))]
     Contour {
         /// What is wrong, with names and numbers.
         reason: String,
+        /// About where `[length]`, if it is at one place.
+        at: Option<Point>,
     },
     /// The input is in order but the mesh is not, for example because angles vary too abruptly.
     #[error("the generated mesh is not valid; use more layers or a smoother list of angles")]
     Mesh(#[from] MeshError),
+}
+
+impl GenerateError {
+    /// What stopped a generator in a frame of its own, at its place outside that frame.
+    #[must_use]
+    pub fn placed(mut self, place: impl Fn(Point) -> Point) -> Self {
+        if let Self::Contour { at: Some(at), .. } = &mut self {
+            *at = place(*at);
+        }
+        self
+    }
 }

@@ -175,12 +175,19 @@ fn what_the_outline_changes_is_said() {
     let found = solved(FRETTING, &[PRESSED, &steps([0.0, 0.0])]);
     let outline = found.findings.iter().find_map(|finding| match finding {
         Finding::Contact {
-            finding: ContactFinding::OutlineLeftOut { reach, size, .. },
+            finding:
+                ContactFinding::OutlineLeftOut {
+                    reach,
+                    size,
+                    radius: Some(radius),
+                    ..
+                },
             ..
-        } => Some([reach.value(), size.value()]),
+        } => Some([reach, size, radius].map(|own| own.value())),
         _ => None,
     });
-    let [reach, size] = outline.unwrap();
+    let [reach, size, radius] = outline.unwrap();
+    assert!((radius / 500.0 - 1.0).abs() < 1e-3, "{radius}");
     assert!((reach - HALF_WIDTH).abs() < 1e-2 && (size - 4.0).abs() < 1e-12);
 }
 

@@ -5,14 +5,16 @@ use std::fs;
 use std::path::Path;
 
 use stickslip::host::HOST;
+use stickslip::model::{Model, ModelError};
 use stickslip::results::{ContactFinding, Finding, LadderEnd, Results, Stated};
 use stickslip::run::run;
 use stickslip::scene::shape::FileNote;
 use stickslip::scene::{Format, Scene};
+use stickslip_fem_core::generate::GenerateError;
 use stickslip_fem_core::mesh::Mesh;
 use tempfile::TempDir;
 
-use super::{difference, refusal, solved};
+use super::{difference, refusal, scene, solved};
 
 const FIVE: &str = include_str!("../../../../scenes/fasteners-five.toml");
 const LUG: &str = include_str!("../../../../scenes/lug-oblique.toml");
@@ -646,4 +648,39 @@ on = "plate.bottom"
             .get(Stated::PeakHoop)
             .is_none()
     );
+}
+
+/// What no mesh divides is reported at its place in the drawing.
+#[test]
+fn a_thin_ligament_is_reported_where_it_stands() {
+    for [x, y] in [[0.0, 0.0], [100.0, -40.0]] {
+        let shape = outline([x, y]).replace("\"5 mm\"", "\"14.9999 mm\"");
+        let text = format!(
+            r#"
+version = 1
+materials.metal.isotropic = {{ young = "72 GPa", poisson = 0.33 }}
+[bodies.plate]
+material = "metal"
+thickness = "2 mm"
+shape.{shape}
+[mesh]
+spacing = "3 deg"
+[[supports]]
+on = "plate.left"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.top"
+force = {{ direction = [1, 0], steps = ["1 kN"] }}
+"#
+        );
+        let refused = Model::build(&scene(&text, &[])).err();
+        let Some(ModelError::Generate { cause, .. }) = refused else {
+            panic!("{refused:?}");
+        };
+        let GenerateError::Contour { at: Some(at), .. } = cause else {
+            panic!("{cause}");
+        };
+        let apart = (at[0] - x - 15.0).hypot(at[1] - y);
+        assert!(apart < 0.5, "{at:?}");
+    }
 }

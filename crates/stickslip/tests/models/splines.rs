@@ -102,16 +102,11 @@ fn roller(angle: f64, count: Option<usize>) -> [f64; 2] {
 #[test]
 fn a_roller_of_a_spline_is_one_of_an_arc() {
     let half = FRAC_PI_2 * 0.999;
-    for (angle, counts, within) in [
-        (0.5 * FRAC_PI_2, &[9_usize, 17][..], 1e-3),
-        (half, &[17, 33], 1e-3),
-    ] {
+    for (angle, count) in [(0.5 * FRAC_PI_2, 9), (half, 17)] {
         let [pressure, extent] = roller(angle, None);
-        for &count in counts {
-            let [own, end] = roller(angle, Some(count));
-            close(own, pressure, within);
-            close(end, extent, within);
-        }
+        let [own, end] = roller(angle, Some(count));
+        close(own, pressure, 1e-3);
+        close(end, extent, 1e-3);
     }
 }
 

@@ -242,6 +242,7 @@ fn of_a_contact() -> Vec<Finding> {
             step: 2,
             reach: Quantity::Length(2.54),
             size: Quantity::Length(25.4),
+            radius: Some(Quantity::Length(254.0)),
         },
         ContactFinding::RipplingPressures {
             bodies: bodies(),

@@ -52,8 +52,15 @@ impl Generate for Turned {
     }
 
     fn generate_within(&self, limit: usize) -> Result<Mesh, GenerateError> {
-        let mesh = self.generator.generate_within(limit)?;
-        let turned = mesh.turned(unit_vector(self.turn))?;
+        let [cos, sin] = unit_vector(self.turn);
+        let place = |[x, y]: Point| {
+            [
+                self.centre[0] + cos * x - sin * y,
+                self.centre[1] + sin * x + cos * y,
+            ]
+        };
+        let mesh = self.generator.generate_within(limit);
+        let turned = mesh.map_err(|why| why.placed(place))?.turned([cos, sin])?;
         Ok(turned.translated(self.centre)?)
     }
 }

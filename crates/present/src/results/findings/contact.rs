@@ -91,9 +91,12 @@ pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits
             shown(*apart, units),
             shown(*spacing, units)
         ),
-        ContactFinding::OutlineLeftOut { step, reach, size } => {
-            outline(name, *step, [*reach, *size], units)
-        }
+        ContactFinding::OutlineLeftOut {
+            step,
+            reach,
+            size,
+            radius,
+        } => outline(name, *step, [*reach, *size], *radius, units),
         ContactFinding::RipplingPressures {
             bodies,
             nodes,
@@ -178,7 +181,13 @@ fn unequal_thickness(
 
 /// Blocks of several proportions have a peak pressure of 1 + 0.14 to 0.40 (a/d)² times that of half-planes, and 0.29 to 0.47 P/td more stress along the edge, which is 0.45 to 0.74 p₀ a/d
 /// (`xtask/src/validate/half_planes.rs`).
-fn outline(name: &str, step: usize, [reach, size]: [Quantity; 2], units: DisplayUnits) -> String {
+fn outline(
+    name: &str,
+    step: usize,
+    [reach, size]: [Quantity; 2],
+    radius: Option<Quantity>,
+    units: DisplayUnits,
+) -> String {
     let part = reach.value() / size.value();
     let [pressure, stress] =
         [40.0 * part * part, 75.0 * part].map(|change| format!("{} %", short(change)));
@@ -190,9 +199,17 @@ fn outline(name: &str, step: usize, [reach, size]: [Quantity; 2], units: Display
              {stress} of the peak pressure higher."
         )
     };
+    let curved = radius.map_or_else(String::new, |radius| {
+        let part = short(100.0 * reach.value() / radius.value());
+        format!(
+            " Edges with a radius of {} against each other change the shear that pressing leaves by up to about {part} % of the peak pressure, and stick \
+             with it, and the stress along the edge by up to twice that.",
+            shown(radius, units)
+        )
+    });
     format!(
         "Contact '{name}' is one of half-planes. Errors contain neither what outlines nor what curved edges change: it reaches to {} in load step {step}, and half \
-         length or depth of its bodies is {}. {change}",
+         length or depth of its bodies is {}. {change}{curved}",
         shown(reach, units),
         shown(size, units),
     )
