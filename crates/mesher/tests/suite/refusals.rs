@@ -430,6 +430,7 @@ fn through_the_trait() {
     for error in [mesh.generate().map(|_| ()), mesh.estimate().map(|_| ())] {
         let expected = GenerateError::Contour {
             reason: text.clone(),
+            at: None,
         };
         assert_eq!(error, Err(expected));
     }
