@@ -314,10 +314,11 @@ fn kinematics(scene: &Scene, plan: &Plan<'_>) -> Choice {
             "small displacement",
             "half-planes touch on the undeformed geometry, as Hertz has it",
         )
-    } else if scene.kinematics() == KinematicsChoice::Auto {
+    } else if scene.kinematics() == KinematicsChoice::Auto && !plan.contacts.is_empty() {
         (
-            "undeformed or deformed gaps",
-            "a run compares both, and takes the deformed ones where they change a number by more than three tenths of the accuracy",
+            "small displacement",
+            "contact is found on the undeformed geometry; a search for an accuracy compares the deformed one where the model has it, and takes it where it changes a \
+             number by more than three tenths of the accuracy",
         )
     } else {
         (

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use stickslip_fem_core::mesh::{ElementBlock, Point};
+use stickslip_text::counted;
 
 use crate::names::listed;
 use crate::place::Place;
@@ -219,10 +220,4 @@ impl fmt::Display for Note {
             Self::Flawed { count, worst, flaw } => flaw.write_note(out, *count, *worst),
         }
     }
-}
-
-/// "1 node", "2 nodes".
-fn counted(count: usize, one: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {one}{plural}")
 }

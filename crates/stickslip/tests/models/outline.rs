@@ -654,25 +654,8 @@ on = "plate.bottom"
 #[test]
 fn a_thin_ligament_is_reported_where_it_stands() {
     for [x, y] in [[0.0, 0.0], [100.0, -40.0]] {
-        let shape = outline([x, y]).replace("\"5 mm\"", "\"14.9999 mm\"");
-        let text = format!(
-            r#"
-version = 1
-materials.metal.isotropic = {{ young = "72 GPa", poisson = 0.33 }}
-[bodies.plate]
-material = "metal"
-thickness = "2 mm"
-shape.{shape}
-[mesh]
-spacing = "3 deg"
-[[supports]]
-on = "plate.left"
-fix = ["x", "y"]
-[[loads]]
-on = "plate.top"
-force = {{ direction = [1, 0], steps = ["1 kN"] }}
-"#
-        );
+        let text = pinned(&outline([x, y])).replace("\"5 mm\"", "\"14.9999 mm\"");
+        let text = text.replace("\"4.99 mm\"", "\"14.98 mm\"");
         let refused = Model::build(&scene(&text, &[])).err();
         let Some(ModelError::Generate { cause, .. }) = refused else {
             panic!("{refused:?}");
