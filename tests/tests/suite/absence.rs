@@ -273,6 +273,7 @@ const INSIDE: &[(&str, &[&str])] = &[
             "document",
             "experiment-pages",
             "measure",
+            "mesh-files",
             "present",
             "results",
             "scene",

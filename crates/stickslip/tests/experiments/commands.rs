@@ -41,6 +41,13 @@ fn run_and_the_chain_say_which_command_reads_a_file() {
             assert!(error.contains(part), "{command}: {error}");
         }
     }
+    for (file, what) in [
+        ("scene.toml", "is a scene, not a sweep"),
+        ("e.toml", "is an experiment"),
+    ] {
+        let error = fails(path, &["joint", file]);
+        assert!(error.contains(&format!("'{file}' {what}")), "{error}");
+    }
     // Nothing was begun.
     assert!(!path.join("e-results").exists() && !path.join("scene-results").exists());
 }
