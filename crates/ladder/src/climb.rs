@@ -206,9 +206,6 @@ impl Climb<'_> {
         if self.models.is_graded() {
             let mut coarse = self.models.level(0, substeps, progress)?;
             for _ in 0..ZOOMS {
-                if !self.models.of_lines {
-                    break;
-                }
                 self.models.grade(&coarse, 0);
                 coarse = self.models.level(0, substeps, progress)?;
                 if Grading::resolves(&coarse.numbers) {
@@ -428,8 +425,13 @@ impl Climb<'_> {
             stresses: found.steps.iter().any(|step| !step.stresses.is_empty()),
         };
         if geometry.failed.is_none() {
-            let others = sum(&path.numbers, &geometry.errors.numbers);
-            let parts = failure::parts(&last.numbers, &others);
+            // The change of two models alone vanishes by chance.
+            let parts = if self.models.is_graded() && levels.len() == 1 {
+                failure::parts(&last.numbers, &errors.numbers)
+            } else {
+                let others = sum(&path.numbers, &geometry.errors.numbers);
+                failure::parts(&last.numbers, &others)
+            };
             let before = before(levels, self.models.solver(), asked);
             let is_whole = !last.model.half && obstacle_to_half(self.scene).is_none();
             let mirror = |body| is_whole.then(|| last.model.across(body)).flatten();

@@ -18,6 +18,8 @@ use stickslip_engine::results::{EdgeGeometry, EdgeKind, EdgeResults};
 
 /// Growth of the spacing per length.
 const GROWTH: f64 = 0.4;
+/// How many times closer than elsewhere nodes of the first model stand near places on a circle.
+const SHARP: f64 = 4.0;
 /// Extent of contact that coarse nodes resolve as wanted `[rad]`.
 const WIDE: f64 = 2.0;
 /// Nodes that a contact along a straight edge must have before nodes are graded by it.
@@ -73,8 +75,8 @@ pub(super) struct Grading {
 }
 
 impl Grading {
-    /// That of the model `rung` after the places of `level`, a coarser one, and their images if `mirrored`; `widest` is the spacing of the first model `[rad]`. Spacings are from rung to
-    /// rung a quarter of it near places and half of it elsewhere, for errors fall with the root of the one and the square of the other.
+    /// That of the model `rung` after the places of `level`, one that is no finer, and their images if `mirrored`; `widest` is the spacing of the first model `[rad]`. Spacings are from rung to
+    /// rung a quarter near places and half elsewhere, for errors fall with the root of the one and the square of the other; on circles those near places are [`SHARP`] times smaller from the first on.
     pub(super) fn new(
         level: &Numbers,
         domain: Domain,
@@ -82,6 +84,7 @@ impl Grading {
         mirrored: bool,
     ) -> Self {
         let [fine, coarse] = [4.0, 2.0_f64].map(|ratio| widest / ratio.powi(rung as i32));
+        let fine = if domain.is_line() { fine } else { fine / SHARP };
         let own: Vec<StepPlaces> = (0..level.steps.len())
             .map(|step| StepPlaces::of(level, domain, step, coarse))
             .collect();

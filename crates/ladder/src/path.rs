@@ -16,6 +16,7 @@ use super::along::Along;
 use super::motions::{self, Halving, Motions};
 use super::numbers::{Estimates, Numbers, Table, difference, sum, zipped};
 use super::rates::{error, of_four, of_two};
+use stickslip_contact::Status;
 use stickslip_engine::results::{EdgeResults, Errors, Stated};
 
 /// Given increments are compared with so many times as many: two times as many may change nothing where contact grows in proportion to the load.
@@ -256,7 +257,7 @@ fn keep_forces(errors: &mut Table) {
 }
 
 /// The friction force takes [`FRICTION`] times its error. The extents of stick and slip are those of nodes, which hide small changes: they are off by the part of stick by
-/// which friction is off.
+/// which friction is off, and where stick and slip alternate, stick may reach to the end of contact.
 fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
     for (errors, step) in errors.iter_mut().zip(steps) {
         for (errors, edge) in errors.iter_mut().zip(step) {
@@ -276,13 +277,27 @@ fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
                         2.0
                     };
                     let stick = errors.get(Stated::StickExtent).unwrap_or(0.0);
-                    Some(errors.get(stated)?.max(ends * stick.max(part * extent)))
+                    let contact = Stated::ContactExtent
+                        .value(edge)
+                        .filter(|_| alternates(edge));
+                    let beyond = contact.map_or(0.0, |contact| contact - extent);
+                    let least = stick.max(part * extent).max(beyond);
+                    Some(errors.get(stated)?.max(ends * least))
                 }
                 Stated::FrictionForce => Some(FRICTION * force?),
                 _ => errors.get(stated),
             });
         }
     }
+}
+
+/// Whether points slip the same way on both sides of some that stick: so they do by increments where contact advances, for those that an increment closes slip in it.
+fn alternates(edge: &EdgeResults) -> bool {
+    let mut statuses: Vec<Status> = edge.rows.iter().map(|row| row.status).collect();
+    statuses.dedup();
+    let slips = |status| matches!(status, Status::SlipPositive | Status::SlipNegative);
+    let mut zones = statuses.windows(3);
+    zones.any(|zone| zone[0] == zone[2] && slips(zone[0]) && zone[1] == Status::Stick)
 }
 
 #[cfg(test)]

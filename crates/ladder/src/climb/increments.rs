@@ -9,7 +9,7 @@ use crate::level::Level;
 use crate::motions::Motions;
 use crate::numbers::{Estimates, Table};
 use crate::path::{self, Changes, Halved, Left};
-use crate::worst::{Worst, bounds_sets, worst_of_edges, worst_of_sets};
+use crate::worst::{Worst, bounds_sets, worst, worst_of_edges, worst_of_sets};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -17,8 +17,10 @@ const FEWEST: usize = 2;
 const LEAST: usize = 8;
 /// The same of steps in which points close again: what sticks then did not change up to eight increments, and friction by 5 % from there to 32.
 const AGAIN: usize = 32;
-/// Most increments of a load step that are tried on the first model; twice as many on the last.
+/// Most increments of a load step that are tried on the first model, where so many or [`MOST`] do not promise to be enough.
 const INCREMENTS: usize = 64;
+/// The same where they do; on the last model twice as many.
+const MOST: usize = 256;
 /// The increments may take this part of what is asked.
 const PATH_SHARE: f64 = 0.5;
 
@@ -166,7 +168,7 @@ impl Climb<'_> {
     }
 
     /// The steps of `level` that more increments have to divide after those that left `found`: those with too large an error, and those before them that may have left it, where it is
-    /// not their own or they have [`INCREMENTS`].
+    /// not their own or they have as many as are tried.
     fn to_halve(&self, level: &Level, found: &Halved) -> Vec<bool> {
         let is_too_much = |worst: Option<Worst>| {
             self.asked.is_some() && worst.is_some_and(|worst| worst.part > PATH_SHARE)
@@ -181,13 +183,14 @@ impl Climb<'_> {
         } else {
             Motions::default()
         };
+        let most = self.most_increments(level, &found.left, &sets);
         for step in 0..substeps.len() {
             if is_too_much(worst_of_sets(&level.numbers, &sets, self.bounds(), step)) {
                 // Of sets it is not known which of the steps before leaves it.
                 halved[..=step].fill(true);
             }
             halved[step] |= is_large(&found.own, step);
-            let is_spent = halved[step] && substeps[step] >= INCREMENTS;
+            let is_spent = halved[step] && substeps[step] >= most;
             if is_spent || is_large(&found.before, step) {
                 for other in 0..step {
                     halved[other] |= is_large(&found.shared(step, other), step);
@@ -201,9 +204,24 @@ impl Climb<'_> {
                 LEAST
             };
             let is_coarse = count < least * self.scene.analysis.substeps();
-            *half = (*half || is_coarse) && count < INCREMENTS;
+            *half = (*half || is_coarse) && count < most;
         }
         halved
+    }
+
+    /// Most increments of a load step after those of `level`, which leave `left` and of sets what is among `sets`: as many as are enough if that falls as their number grows.
+    fn most_increments(&self, level: &Level, left: &Left, sets: &Motions) -> usize {
+        let errors = Estimates {
+            numbers: left.numbers.clone(),
+            sets: sets.clone(),
+        };
+        let part = worst(&level.numbers, &errors, self.bounds()).map_or(0.0, |worst| worst.part);
+        let count = level.substeps.iter().copied().max().unwrap_or(0);
+        if part * count as f64 <= (2 * MOST) as f64 {
+            MOST
+        } else {
+            INCREMENTS
+        }
     }
 }
 

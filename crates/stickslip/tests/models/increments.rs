@@ -158,11 +158,11 @@ fn increments_are_judged_again_where_they_leave_too_much() {
     let ladder = found.ladder.as_ref().unwrap();
     assert_eq!(ladder.end, LadderEnd::Reached);
     let last = ladder.rungs.last().unwrap();
-    assert_eq!(last.increments[0], 128);
+    assert_eq!(last.increments[0], 256);
     // Given increments are judged by other means, and are twice as many.
     let truth = solved(
         CYLINDER,
-        &[r#"analysis.accuracy="5 %""#, "analysis.substeps=256"],
+        &[r#"analysis.accuracy="1 %""#, "analysis.substeps=512"],
     );
     for step in 0..3 {
         for stated in [

@@ -378,7 +378,7 @@ fn a_fit_that_knows_nothing_spoils_no_error() {
     let edge = &found.steps[1].edges[0];
     let (stress, _) = edge.peak_hoop.unwrap();
     let error = edge.errors.get(Stated::PeakHoop).unwrap();
-    // 64 increments and 674 nodes.
+    // 64 increments and 674 nodes; 1024 and 600 give 429.5 ± 2.4.
     assert!(
         (stress - 430.9).abs() < error && error < 0.05 * stress,
         "{stress} ± {error}"
@@ -481,6 +481,7 @@ fn memory_ends_the_climb() {
     let by = |memory: &str| {
         let changes = [
             SMALL,
+            "contacts.0.friction.coulomb.mu=0",
             "bodies.plate.model=elements",
             "bodies.pin.model=elements",
             "analysis.accuracy=\"0.2 %\"",
