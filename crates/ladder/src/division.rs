@@ -328,10 +328,9 @@ fn of_circles(stated: Stated, nodes: Spaced) -> [f64; 2] {
     match stated {
         Stated::PeakPressure if nodes == Spaced::GradedDeformed => [4.7, 2.3],
         Stated::PeakPressure => [2.3, 2.1],
-        Stated::PeakHoop => [2.8, 1.6],
+        Stated::PeakHoop | Stated::FrictionWork => [2.8, 1.6],
         Stated::HoopAtBearing => [2.9, 1.6],
         Stated::FrictionForce => [2.5, 1.1],
-        Stated::FrictionWork => [2.8, 1.6],
         Stated::NormalForce => [2.0, 0.9],
         Stated::ContactExtent => [1.5, 0.9],
         Stated::StickExtent => [1.7, 1.2],
