@@ -34,7 +34,7 @@ use tally::Tally;
 pub(crate) const FEW: usize = 50;
 /// Accuracies that are asked for.
 pub(crate) const ASKED: [f64; 3] = [0.05, 0.01, 0.001];
-/// Most increments of a step of the truth.
+/// Most increments of a step of the truth, or twice as many as the answer has.
 const FINEST: usize = 128;
 /// How many times as many increments the truth has; on a finer mesh they are compared with four times as many again.
 const FINER: usize = 8;
@@ -216,7 +216,7 @@ fn truth(draw: &Draw, increments: usize) -> Result<Results, String> {
     } else {
         FINER_OF_MESH
     };
-    let most = increments.max(FINEST / FINER * times);
+    let most = (2 * increments).max(FINEST / FINER * times);
     let increments = (times * increments).min(most);
     let increments = format!("analysis.substeps={increments}");
     let mut finer = vec![

@@ -13,8 +13,8 @@ use crate::grading::Grading;
 use crate::level::Level;
 use crate::models::{Division, Models, slowness};
 use crate::motions::Motions;
-use crate::numbers::{Estimates, Numbers, above_rounding, drop_unresolved, sum};
-use crate::path::Left;
+use crate::numbers::{Estimates, Numbers, above_rounding, drop_unresolved, sum, zipped};
+use crate::path::{Left, larger};
 use crate::stresses::Limits;
 use crate::worst::{Worst, unstated, worst};
 use crate::{division, failure, places, stated, stresses, unseen};
@@ -425,13 +425,12 @@ impl Climb<'_> {
             stresses: found.steps.iter().any(|step| !step.stresses.is_empty()),
         };
         if geometry.failed.is_none() {
-            // The change of two models alone vanishes by chance.
-            let parts = if self.models.is_graded() && levels.len() == 1 {
-                failure::parts(&last.numbers, &errors.numbers)
-            } else {
-                let others = sum(&path.numbers, &geometry.errors.numbers);
-                failure::parts(&last.numbers, &others)
-            };
+            let mut left = sum(&path.numbers, &geometry.errors.numbers);
+            // The change of two models alone may vanish by chance.
+            if self.models.is_graded() && levels.len() == 1 {
+                left = zipped(&left, &errors.numbers, larger);
+            }
+            let parts = failure::parts(&last.numbers, &left);
             let before = before(levels, self.models.solver(), asked);
             let is_whole = !last.model.half && obstacle_to_half(self.scene).is_none();
             let mirror = |body| is_whole.then(|| last.model.across(body)).flatten();

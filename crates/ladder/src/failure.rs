@@ -45,7 +45,7 @@ fn estimate(own: &mut BodyFailure, before: &[&BodyFailure], known: Known<'_>) {
     }
 }
 
-/// By which part of itself a stress of each step is off at most, because of the errors `left` of the load path and of the geometry.
+/// By which part of itself a stress of each step is off at most, because of the errors `left` of the load path and of the geometry, and of two models of the division.
 pub(super) fn parts(numbers: &Numbers, left: &Table) -> Vec<f64> {
     let steps = numbers.steps.iter().zip(left);
     let part = |(step, errors): (&Vec<_>, &Vec<_>)| {

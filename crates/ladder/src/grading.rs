@@ -18,7 +18,7 @@ use stickslip_engine::results::{EdgeGeometry, EdgeKind, EdgeResults};
 
 /// Growth of the spacing per length.
 const GROWTH: f64 = 0.4;
-/// How many times closer than elsewhere nodes of the first model stand near places on a circle.
+/// How many times closer than elsewhere nodes of the coarsest model stand near places on a circle.
 const SHARP: f64 = 4.0;
 /// Extent of contact that coarse nodes resolve as wanted `[rad]`.
 const WIDE: f64 = 2.0;
@@ -76,7 +76,7 @@ pub(super) struct Grading {
 
 impl Grading {
     /// That of the model `rung` after the places of `level`, one that is no finer, and their images if `mirrored`; `widest` is the spacing of the first model `[rad]`. Spacings are from rung to
-    /// rung a quarter near places and half elsewhere, for errors fall with the root of the one and the square of the other; on circles those near places are [`SHARP`] times smaller from the first on.
+    /// rung a quarter near places and half elsewhere, for errors fall with the root of the one and the square of the other; on circles those near places are [`SHARP`] times smaller from the coarsest on.
     pub(super) fn new(
         level: &Numbers,
         domain: Domain,

@@ -18,7 +18,7 @@ use super::thinning;
 use stickslip_engine::model::{Model, Seat};
 use stickslip_engine::run::{Assembled, Progress, RunError, Seated, follow, follow_thinned, seats};
 
-/// Nodes on half of a contact circle less one, of the coarsest model by series.
+/// Nodes on half of a contact circle less one, of the model by series after which the coarsest one is graded.
 const INTERVALS: usize = 30;
 /// The finest nodes far from where contact changes are 2⁴ times closer than the coarsest.
 const GRADINGS: usize = 4;
@@ -192,7 +192,7 @@ impl<'a> Models<'a> {
         self.seating = seating;
     }
 
-    /// Grades the nodes of `rung` towards the places where contact changes in `level`, a coarser model, if they are those of series.
+    /// Grades the nodes of `rung` towards the places where contact changes in `level`, a model that is no finer, if they are those of series.
     pub(super) fn grade(&mut self, level: &Level, rung: usize) {
         if self.is_graded() {
             let mut seats = seats::seats(&level.model, &level.solved);
@@ -247,7 +247,7 @@ impl<'a> Models<'a> {
         is_wanted
     }
 
-    /// Solves the model of a rung; rung 0 is the coarsest, and finer ones whose nodes are graded need [`grade`](Self::grade) of a coarser one.
+    /// Solves the model of a rung; rung 0 is the coarsest, and those whose nodes are graded need [`grade`](Self::grade) before.
     pub(super) fn level(
         &mut self,
         rung: usize,

@@ -191,7 +191,7 @@ fn joined(
 }
 
 /// The larger one of two errors, or the one that there is.
-fn larger(one: Option<f64>, other: Option<f64>) -> Option<f64> {
+pub(super) fn larger(one: Option<f64>, other: Option<f64>) -> Option<f64> {
     one.into_iter().chain(other).reduce(f64::max)
 }
 
@@ -257,7 +257,7 @@ fn keep_forces(errors: &mut Table) {
 }
 
 /// The friction force takes [`FRICTION`] times its error. The extents of stick and slip are those of nodes, which hide small changes: they are off by the part of stick by
-/// which friction is off, and where stick and slip alternate, stick may reach to the end of contact.
+/// which friction is off, and where stick and slip in one direction take turns, stick may reach to the end of contact.
 fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
     for (errors, step) in errors.iter_mut().zip(steps) {
         for (errors, edge) in errors.iter_mut().zip(step) {
@@ -267,9 +267,13 @@ fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
             let force_of_stick = force.filter(|_| rubs);
             let part =
                 force_of_stick.map_or(0.0, |error| (error / edge.friction_force.abs()).min(1.0));
+            let extent = Stated::StickExtent.value(edge).unwrap_or(0.0);
+            let contact = Stated::ContactExtent
+                .value(edge)
+                .filter(|_| take_turns(edge.rows.iter().map(|row| row.status)));
+            let beyond = contact.map_or(0.0, |contact| contact - extent);
             *errors = Errors::of(|stated| match stated {
                 Stated::StickExtent | Stated::SlipAway | Stated::SlipTowards => {
-                    let extent = Stated::StickExtent.value(edge).unwrap_or(0.0);
                     // Slip has two ends of stick.
                     let ends = if stated == Stated::StickExtent {
                         1.0
@@ -277,10 +281,6 @@ fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
                         2.0
                     };
                     let stick = errors.get(Stated::StickExtent).unwrap_or(0.0);
-                    let contact = Stated::ContactExtent
-                        .value(edge)
-                        .filter(|_| alternates(edge));
-                    let beyond = contact.map_or(0.0, |contact| contact - extent);
                     let least = stick.max(part * extent).max(beyond);
                     Some(errors.get(stated)?.max(ends * least))
                 }
@@ -291,18 +291,37 @@ fn adjust(errors: &mut Table, steps: &[Vec<EdgeResults>]) {
     }
 }
 
-/// Whether points slip the same way on both sides of some that stick: so they do by increments where contact advances, for those that an increment closes slip in it.
-fn alternates(edge: &EdgeResults) -> bool {
-    let mut statuses: Vec<Status> = edge.rows.iter().map(|row| row.status).collect();
+/// Whether two zones of stick and two of slip in one direction follow each other in turn: increments leave such a pattern where contact advances, for points that one of them closes slip in it.
+fn take_turns(statuses: impl Iterator<Item = Status>) -> bool {
+    let mut statuses: Vec<Status> = statuses.collect();
     statuses.dedup();
     let slips = |status| matches!(status, Status::SlipPositive | Status::SlipNegative);
-    let mut zones = statuses.windows(3);
-    zones.any(|zone| zone[0] == zone[2] && slips(zone[0]) && zone[1] == Status::Stick)
+    statuses.windows(4).any(|zones| {
+        let [stick, slip] = if slips(zones[0]) {
+            [zones[1], zones[0]]
+        } else {
+            [zones[0], zones[1]]
+        };
+        zones[..2] == zones[2..] && stick == Status::Stick && slips(slip)
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn stick_and_slip_take_turns_by_increments_alone() {
+        use Status::{Open, SlipNegative as Back, SlipPositive as Slip, Stick};
+        let advancing = [Stick, Slip, Slip, Stick, Slip, Open];
+        let [partial, unloading] = [
+            vec![Open, Slip, Stick, Stick, Slip, Open],
+            vec![Slip, Stick, Back, Stick, Slip, Stick, Back],
+        ];
+        assert!(take_turns(advancing.into_iter()));
+        assert!(!take_turns(partial.into_iter()));
+        assert!(!take_turns(unloading.into_iter()));
+    }
 
     fn change(sizes: [f64; 3]) -> Table {
         sizes.map(|size| vec![Errors::of(|_| Some(size))]).to_vec()

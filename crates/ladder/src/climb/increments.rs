@@ -9,7 +9,7 @@ use crate::level::Level;
 use crate::motions::Motions;
 use crate::numbers::{Estimates, Table};
 use crate::path::{self, Changes, Halved, Left};
-use crate::worst::{Worst, bounds_sets, worst, worst_of_edges, worst_of_sets};
+use crate::worst::{Worst, bounds_sets, worst_of_edges, worst_of_sets};
 
 /// Increments of a load step with friction that are first compared with twice as many.
 const FEWEST: usize = 2;
@@ -17,9 +17,9 @@ const FEWEST: usize = 2;
 const LEAST: usize = 8;
 /// The same of steps in which points close again: what sticks then did not change up to eight increments, and friction by 5 % from there to 32.
 const AGAIN: usize = 32;
-/// Most increments of a load step that are tried on the first model, where so many or [`MOST`] do not promise to be enough.
+/// Most increments of a load step that are tried on the first model.
 const INCREMENTS: usize = 64;
-/// The same where they do; on the last model twice as many.
+/// The same where they are enough if what they leave falls as their number grows, of twice as many on the last model if that will be judged again.
 const MOST: usize = 256;
 /// The increments may take this part of what is asked.
 const PATH_SHARE: f64 = 0.5;
@@ -183,7 +183,7 @@ impl Climb<'_> {
         } else {
             Motions::default()
         };
-        let most = self.most_increments(level, &found.left, &sets);
+        let most = self.most_increments(level, &found.left.numbers, &sets);
         for step in 0..substeps.len() {
             if is_too_much(worst_of_sets(&level.numbers, &sets, self.bounds(), step)) {
                 // Of sets it is not known which of the steps before leaves it.
@@ -209,15 +209,19 @@ impl Climb<'_> {
         halved
     }
 
-    /// Most increments of a load step after those of `level`, which leave `left` and of sets what is among `sets`: as many as are enough if that falls as their number grows.
-    fn most_increments(&self, level: &Level, left: &Left, sets: &Motions) -> usize {
-        let errors = Estimates {
-            numbers: left.numbers.clone(),
-            sets: sets.clone(),
+    /// Most increments of a load step after those of `level`, which leave these `errors` and of `sets`.
+    fn most_increments(&self, level: &Level, errors: &Table, sets: &Motions) -> usize {
+        let is_judged_again =
+            self.asked.is_some() && self.models.is_free() && !self.is_too_large_next(level);
+        let most = if is_judged_again { 2 * MOST } else { MOST };
+        let bounds = self.bounds();
+        let are_enough = |(step, &count): (usize, &usize)| {
+            let edges = worst_of_edges(&level.numbers, errors, bounds, step);
+            let sets = worst_of_sets(&level.numbers, sets, bounds, step);
+            let mut all = edges.into_iter().chain(sets);
+            all.all(|worst| worst.part * count as f64 <= most as f64)
         };
-        let part = worst(&level.numbers, &errors, self.bounds()).map_or(0.0, |worst| worst.part);
-        let count = level.substeps.iter().copied().max().unwrap_or(0);
-        if part * count as f64 <= (2 * MOST) as f64 {
+        if level.substeps.iter().enumerate().all(are_enough) {
             MOST
         } else {
             INCREMENTS

@@ -481,7 +481,6 @@ fn memory_ends_the_climb() {
     let by = |memory: &str| {
         let changes = [
             SMALL,
-            "contacts.0.friction.coulomb.mu=0",
             "bodies.plate.model=elements",
             "bodies.pin.model=elements",
             "analysis.accuracy=\"0.2 %\"",
