@@ -86,6 +86,25 @@ fn graded_nodes_hold_what_equal_ones_find() {
     assert!(misses.is_empty(), "{misses:#?}");
 }
 
+/// Of the first model, with 3° elsewhere, they are an eighth of that apart where contact ends.
+#[test]
+fn nodes_are_close_where_contact_ends() {
+    let found = by(&[
+        SMALL,
+        "contacts.0.friction.coulomb.mu=0",
+        r#"analysis.accuracy="30 %""#,
+    ]);
+    let rungs = &found.ladder.as_ref().unwrap().rungs;
+    assert_eq!(rungs.len(), 1, "{rungs:?}");
+    let places = &found.edges[0].parameter;
+    for step in &found.steps {
+        let rows = &step.edges[0].rows;
+        let end = rows.iter().position(|row| !row.status.touches()).unwrap();
+        let apart = (places[end] - places[end - 1]).to_degrees();
+        assert!((0.2..0.5).contains(&apart), "{apart}");
+    }
+}
+
 #[test]
 fn half_and_whole_agree_within_their_errors() {
     let [half, whole] = ["half", "whole"].map(|model| {
@@ -472,6 +491,15 @@ fn a_budget_ends_within_a_model() {
         assert!(misses.is_empty(), "{readings}: {misses:#?}");
     }
     assert!(stopped > 1, "{stopped}");
+}
+
+/// Where 64 increments leave so much that 512 would not do either, only the last model has more, twice as many.
+#[test]
+fn increments_that_promise_nothing_are_not_tried() {
+    let found = freely(&[SMALL, r#"analysis.accuracy={ friction_force = "1e-3 %" }"#]);
+    let ladder = found.ladder.as_ref().unwrap();
+    assert_eq!(ladder.end, LadderEnd::LoadPath);
+    assert_eq!(ladder.rungs.last().unwrap().most_increments(), 128);
 }
 
 /// A finer model that would take more memory than it may is not tried, and the answer before it stands with its errors.
