@@ -221,7 +221,7 @@ fn truth(draw: &Draw, increments: usize) -> Result<Results, String> {
     let increments = format!("analysis.substeps={increments}");
     let mut finer = vec![
         &*increments,
-        "analysis.ramp=quadratic",
+        "analysis.ramp=contact",
         "analysis.accuracy=1e-8",
     ];
     if draw.chooses_kinematics {

@@ -3,6 +3,7 @@
 
 mod carry;
 mod course;
+mod events;
 mod frictionless;
 mod increment;
 mod least_motion;
@@ -25,13 +26,14 @@ use crate::error::ContactError;
 use crate::interface::Interface;
 use crate::problem::InterfaceProblem;
 use crate::solver::nearest::is_near;
-use crate::solver::{FailureCause, InterfaceSolver, StepFailure};
+use crate::solver::{FailureCause, InterfaceSolver, Step, StepFailure};
 use crate::state::ContactState;
 use crate::thinned::{Thinned, Whole};
 use crate::uniqueness::uniqueness_bound;
 
 use carry::Carry;
 use course::{Course, Means};
+use events::Before;
 pub use increment::Increment;
 pub use otherwise::{Difference, Missing, Otherwise};
 pub use record::StepRecord;
@@ -49,6 +51,8 @@ pub enum Ramp {
     Linear,
     /// P_k = P (k/n)²: finer where contact spreads fastest.
     Quadratic,
+    /// As [`Quadratic`](Self::Quadratic), and where friction acts increments also end where points are about to close or to open: what sub-steps leave of friction then almost vanishes.
+    Contact,
 }
 
 /// Load steps and how they are walked.
@@ -62,6 +66,8 @@ pub struct LoadHistory {
 
 /// Smallest part of an increment to which cut-back goes.
 const SMALLEST_PART: f64 = 1.0 / 1024.0;
+/// Smallest increment that ends as a point closes or opens, as a part of a sub-step.
+const SMALLEST_EVENT: f64 = 1.0 / 256.0;
 /// Floating-point operations that failed attempts at a sub-step may cost before it is cut back no further, or twice those of the most
 /// expensive attempt where that is more; and that states of a load step may cost that only nearly meet the conditions.
 const CUTBACK_EFFORT: u64 = 20_000_000_000;
@@ -263,12 +269,25 @@ impl LoadHistory {
 
     /// Fraction of the increment of the step `index` from `start` that is applied after the part `part` of it.
     fn fraction(&self, index: usize, start: &ContactState, part: f64) -> f64 {
-        let bears = || start.status.iter().any(|status| status.touches());
-        if self.ramp == Ramp::Quadratic && (index == 0 || !bears()) {
+        if self.is_quadratic(index, start) {
             part * part
         } else {
             part
         }
+    }
+
+    /// The part of the step after which `fraction` is applied.
+    fn part(&self, index: usize, start: &ContactState, fraction: f64) -> f64 {
+        if self.is_quadratic(index, start) {
+            fraction.sqrt()
+        } else {
+            fraction
+        }
+    }
+
+    fn is_quadratic(&self, index: usize, start: &ContactState) -> bool {
+        let bears = || start.status.iter().any(|status| status.touches());
+        self.ramp != Ramp::Linear && (index == 0 || !bears())
     }
 
     /// Load multipliers after the part `part` of load step `index` from `start` to `target`.
@@ -303,11 +322,6 @@ impl LoadHistory {
             let what = format!("{given} multipliers for {cases} load cases");
             return Err(ContactError::InvalidLoad { step: index, what });
         }
-        let walker = Walker {
-            whole: 1.0 / self.substeps[index] as f64,
-            smallest_part: SMALLEST_PART,
-            effort: Some(CUTBACK_EFFORT),
-        };
         let mut path = StepPath {
             history: self,
             course,
@@ -316,15 +330,26 @@ impl LoadHistory {
             index,
             target,
             record: start.at_its_end(),
+            before: None,
             nearly: false,
             spent: 0,
             sound: 0.0,
         };
+        let whole = 1.0 / self.substeps[index] as f64;
         for substep in 0..self.substeps[index] {
-            let ends = [substep, substep + 1].map(|k| k as f64 * walker.whole);
-            if let Err(blocked) = walker.walk(ends, &mut path) {
-                let reached = path.sound;
-                return Err(failed(index, Blocked { reached, ..blocked }));
+            let [mut from, to] = [substep, substep + 1].map(|k| k as f64 * whole);
+            while from < to {
+                let end = path.end([from, to]);
+                let walker = Walker {
+                    whole: if end < to { end - from } else { whole },
+                    smallest_part: SMALLEST_PART,
+                    effort: Some(CUTBACK_EFFORT),
+                };
+                if let Err(blocked) = walker.walk([from, end], &mut path) {
+                    let reached = path.sound;
+                    return Err(failed(index, Blocked { reached, ..blocked }));
+                }
+                from = end;
             }
         }
         Ok(path.record)
@@ -340,12 +365,50 @@ struct StepPath<'a> {
     index: usize,
     target: &'a [f64],
     record: StepRecord,
+    /// Where the last increment began.
+    before: Option<Before>,
     /// Whether the last increment ended in a state that only nearly meets the conditions.
     nearly: bool,
     /// Floating-point operations that such states cost.
     spent: u64,
     /// Part of the load step that the last state reached that meets the conditions: which states nearly do is a matter of rounding.
     sound: f64,
+}
+
+impl StepPath<'_> {
+    /// Where an increment from the first of `ends`, parts of the load step, is to end: at the second, or where a point is about to close or to open before that.
+    fn end(&self, [from, to]: [f64; 2]) -> f64 {
+        if self.history.ramp != Ramp::Contact || self.is_smooth() {
+            return to;
+        }
+        let least = SMALLEST_EVENT / self.history.substeps[self.index] as f64;
+        let first = self.before.as_ref().map_or(Some(from), |before| {
+            let next = before.next(&self.record.state, self.fraction(from))?;
+            Some(self.history.part(self.index, self.start, next))
+        });
+        // The last increment says little of what is far beyond it.
+        let most = (2.0 * from).min(to);
+        let end = first
+            .map_or(most, |first| first.min(most))
+            .max(from + least);
+        if end + least < to { end } else { to }
+    }
+
+    /// Whether points that bear could rub, and no law holds them.
+    fn is_smooth(&self) -> bool {
+        let (problem, state) = (self.course.problem, &self.record.state);
+        let step = Step::new(problem, state, &state.multipliers);
+        let bearing = (0..state.status.len())
+            .filter(|&k| problem.points()[k].slides && state.normal_force(k) > 0.0);
+        let mut bounds = bearing
+            .map(|k| step.bound(k, state.normal_force(k), 0.0).stick)
+            .peekable();
+        bounds.peek().is_some() && bounds.all(|bound| bound == 0.0)
+    }
+
+    fn fraction(&self, part: f64) -> f64 {
+        self.history.fraction(self.index, self.start, part)
+    }
 }
 
 impl LoadPath for StepPath<'_> {
@@ -364,7 +427,9 @@ impl LoadPath for StepPath<'_> {
         };
         let means = means.within(self.spent <= CUTBACK_EFFORT);
         let before = self.record.work.operations;
+        let start = Before::of(&self.record.state, self.fraction(increment.from));
         let verified = (self.course).advance(&mut self.record, self.solver, means, &to)?;
+        self.before = Some(start);
         self.nearly = means == Means::Last && !verified;
         if self.nearly {
             self.spent += self.record.work.operations - before;

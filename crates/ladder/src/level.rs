@@ -1,6 +1,5 @@
 //! A model of the ladder that was solved, and its numbers.
 
-use stickslip_contact::ContactState;
 use stickslip_friction::History;
 
 use stickslip_engine::model::Model;
@@ -11,13 +10,6 @@ use super::limits::Missing;
 use super::motions::Motions;
 use super::numbers::Numbers;
 use super::{peaks, thinning};
-
-/// Part of the normal forces that is most of them.
-const MOST: f64 = 0.5;
-/// Overlap as a part of the size of bodies that is rounding.
-const ROUNDING: f64 = 1e-9;
-/// Part of the normal forces below which points do not matter.
-const PART: f64 = 0.01;
 
 /// Memory of elastic bodies per entry of their factors, in bytes: that entry, and its part of mesh, stiffness and stresses.
 const BYTES_PER_ENTRY: f64 = 14.0;
@@ -63,31 +55,6 @@ impl Level {
             .law(middle)
             .bound(pressure, 0.0, place, &History::default());
         bound.stick / pressure
-    }
-
-    /// Whether points that were open before the load step `step` bear most of its load, or a part of one that falls: the first force is then no part of a path that goes on, and which points stick
-    /// when they close may change with increments that are small alone. So it may in a first step that presses bodies that overlap on each other all around.
-    pub(super) fn closes_again(&self, step: usize) -> bool {
-        let records = &self.solved.records;
-        let Some(before) = step.checked_sub(1).map(|before| &records[before].state) else {
-            let points = self.solved.interface.contacts().points();
-            let far = |[x, y]: [f64; 2]| x.hypot(y);
-            let size = points
-                .iter()
-                .map(|point| far(point.place.position))
-                .fold(0.0, f64::max);
-            return points.iter().any(|point| point.gap < -ROUNDING * size);
-        };
-        let state = &records[step].state;
-        let points = 0..state.status.len();
-        let normal =
-            |state: &ContactState| -> f64 { points.clone().map(|k| state.normal_force(k)).sum() };
-        let open = points.clone().filter(|&k| !before.status[k].touches());
-        let anew: f64 = open.map(|k| state.normal_force(k)).sum();
-        let falls = normal(state) < normal(before);
-        let least = if falls { PART } else { MOST };
-        // A step that begins without forces is ramped as the first one is.
-        normal(before) > 0.0 && anew > least * normal(state)
     }
 
     /// Whether friction acts anywhere in its history.

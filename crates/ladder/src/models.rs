@@ -369,7 +369,7 @@ impl<'a> Models<'a> {
         let mut scene = self.scene.clone();
         scene.analysis.kinematics = Some(self.kinematics);
         if scene.analysis.ramp.is_none() && scene.analysis.substeps.is_none() {
-            scene.analysis.ramp = Some(Ramp::Quadratic);
+            scene.analysis.ramp = Some(Ramp::Contact);
         }
         let graded = self.graded.get(&rung).filter(|_| self.is_graded());
         self.divide(&mut scene, rung, graded);

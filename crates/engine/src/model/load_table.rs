@@ -89,7 +89,7 @@ impl LoadTable {
 
     /// The loads where the history came to an end, at the part `reached` `[1]` of its step `step`.
     pub fn reached(&self, step: usize, reached: f64) -> Vec<LoadValue> {
-        let part = if step == 0 && self.ramp == Ramp::Quadratic {
+        let part = if step == 0 && self.ramp != Ramp::Linear {
             reached * reached
         } else {
             reached

@@ -37,6 +37,7 @@ pub(super) fn history(plan: &Plan<'_>) -> Result<LoadHistory, ModelError> {
     let ramp = match plan.analysis.ramp() {
         schema::Ramp::Linear => Ramp::Linear,
         schema::Ramp::Quadratic => Ramp::Quadratic,
+        schema::Ramp::Contact => Ramp::Contact,
     };
     let substeps = plan.analysis.substeps();
     Ok(LoadHistory::new(steps.collect(), substeps, ramp)?)

@@ -11,12 +11,8 @@ use crate::numbers::{Estimates, Table};
 use crate::path::{self, Changes, Halved, Left};
 use crate::worst::{Worst, bounds_sets, worst_of_edges, worst_of_sets};
 
-/// Increments of a load step with friction that are first compared with twice as many.
-const FEWEST: usize = 2;
-/// Fewest increments of such a step: two and four may agree where few nodes slip.
-const LEAST: usize = 8;
-/// The same of steps in which points close again: what sticks then did not change up to eight increments, and friction by 5 % from there to 32.
-const AGAIN: usize = 32;
+/// Fewest increments of a load step with friction: two and four may agree where few nodes slip.
+const LEAST: usize = 4;
 /// Most increments of a load step that are tried on the first model.
 const INCREMENTS: usize = 64;
 /// The same where they are enough if what they leave falls as their number grows, of twice as many on the last model if that will be judged again.
@@ -35,13 +31,6 @@ impl Climb<'_> {
             return Ok((base, Left::default()));
         }
         let pinned = self.scene.analysis.substeps.is_some();
-        if !pinned {
-            // One and two increments agree wherever contact grows in proportion to the load.
-            base = self
-                .models
-                .level(1, &times(FEWEST, &base.substeps), progress)?;
-            self.record(&base, None);
-        }
         if pinned {
             let substeps = times(path::PINNED, &base.substeps);
             let finer = self.models.level(1, &substeps, progress)?;
@@ -197,13 +186,8 @@ impl Climb<'_> {
                 }
             }
         }
-        for (step, (half, &count)) in halved.iter_mut().zip(substeps).enumerate() {
-            let least = if level.closes_again(step) {
-                AGAIN
-            } else {
-                LEAST
-            };
-            let is_coarse = count < least * self.scene.analysis.substeps();
+        for (half, &count) in halved.iter_mut().zip(substeps) {
+            let is_coarse = count < LEAST * self.scene.analysis.substeps();
             *half = (*half || is_coarse) && count < most;
         }
         halved

@@ -126,6 +126,8 @@ pub enum Ramp {
     Linear,
     /// P (k/n)²: small steps while contact spreads fast.
     Quadratic,
+    /// The same, and sub-steps with friction are divided where points close or open.
+    Contact,
 }
 
 #[rustfmt::skip]
