@@ -331,6 +331,7 @@ impl LoadHistory {
             target,
             record: start.at_its_end(),
             before: None,
+            is_whole: false,
             nearly: false,
             spent: 0,
             sound: 0.0,
@@ -338,6 +339,7 @@ impl LoadHistory {
         let whole = 1.0 / self.substeps[index] as f64;
         for substep in 0..self.substeps[index] {
             let [mut from, to] = [substep, substep + 1].map(|k| k as f64 * whole);
+            path.is_whole = false;
             while from < to {
                 let end = path.end([from, to]);
                 let walker = Walker {
@@ -345,11 +347,19 @@ impl LoadHistory {
                     smallest_part: SMALLEST_PART,
                     effort: Some(CUTBACK_EFFORT),
                 };
-                if let Err(blocked) = walker.walk([from, end], &mut path) {
-                    let reached = path.sound;
-                    return Err(failed(index, Blocked { reached, ..blocked }));
+                match walker.walk([from, end], &mut path) {
+                    Ok(_) => from = end,
+                    // So short an increment may be lost in rounding where a whole one is not.
+                    Err(blocked) if end < to && !StepPath::is_final(&blocked.refusal) => {
+                        from = blocked.reached;
+                        path.before = None;
+                        path.is_whole = true;
+                    }
+                    Err(blocked) => {
+                        let reached = path.sound;
+                        return Err(failed(index, Blocked { reached, ..blocked }));
+                    }
                 }
-                from = end;
             }
         }
         Ok(path.record)
@@ -367,6 +377,8 @@ struct StepPath<'a> {
     record: StepRecord,
     /// Where the last increment began.
     before: Option<Before>,
+    /// Whether this sub-step goes to its end at once, because a shorter increment of it failed.
+    is_whole: bool,
     /// Whether the last increment ended in a state that only nearly meets the conditions.
     nearly: bool,
     /// Floating-point operations that such states cost.
@@ -378,7 +390,7 @@ struct StepPath<'a> {
 impl StepPath<'_> {
     /// Where an increment from the first of `ends`, parts of the load step, is to end: at the second, or where a point is about to close or to open before that.
     fn end(&self, [from, to]: [f64; 2]) -> f64 {
-        if self.history.ramp != Ramp::Contact || self.is_smooth() {
+        if self.history.ramp != Ramp::Contact || self.is_whole || self.is_smooth() {
             return to;
         }
         let least = SMALLEST_EVENT / self.history.substeps[self.index] as f64;

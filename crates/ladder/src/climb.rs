@@ -54,7 +54,6 @@ pub(crate) fn climb(
         start: scene.host().seconds(),
         rungs: Vec::new(),
         ran_out: false,
-        is_judged: false,
         scene,
         models,
     };
@@ -115,8 +114,6 @@ struct Climb<'a> {
     rungs: Vec<Rung>,
     /// Whether the budget ended the increments before they were fine enough, or a model.
     ran_out: bool,
-    /// Whether increments were judged again on the nodes of the last model.
-    is_judged: bool,
 }
 
 impl Climb<'_> {

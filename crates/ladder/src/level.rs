@@ -11,6 +11,8 @@ use super::motions::Motions;
 use super::numbers::Numbers;
 use super::{peaks, thinning};
 
+/// Overlap as a part of the size of bodies that is rounding.
+const ROUNDING: f64 = 1e-9;
 /// Memory of elastic bodies per entry of their factors, in bytes: that entry, and its part of mesh, stiffness and stresses.
 const BYTES_PER_ENTRY: f64 = 14.0;
 /// Memory of a contact problem per pair of its components, in bytes: a few dense matrices.
@@ -55,6 +57,17 @@ impl Level {
             .law(middle)
             .bound(pressure, 0.0, place, &History::default());
         bound.stick / pressure
+    }
+
+    /// Whether bodies overlap before they are loaded.
+    pub(super) fn overlaps(&self) -> bool {
+        let points = self.solved.interface.contacts().points();
+        let far = points.iter().map(|point| {
+            let [x, y] = point.place.position;
+            x.hypot(y)
+        });
+        let size = far.fold(0.0, f64::max);
+        points.iter().any(|point| point.gap < -ROUNDING * size)
     }
 
     /// Whether friction acts anywhere in its history.

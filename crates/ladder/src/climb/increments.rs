@@ -12,11 +12,11 @@ use crate::path::{self, Changes, Halved, Left};
 use crate::worst::{Worst, bounds_sets, worst_of_edges, worst_of_sets};
 
 /// Fewest increments of a load step with friction: two and four may agree where few nodes slip.
-const LEAST: usize = 4;
-/// Most increments of a load step that are tried on the first model.
-const INCREMENTS: usize = 64;
-/// The same where they are enough if what they leave falls as their number grows, of twice as many on the last model if that will be judged again.
-const MOST: usize = 256;
+const LEAST: usize = 8;
+/// The same of a first step that presses bodies that overlap: all points slip at once, and up to eight increments change nothing.
+const OVERLAPPING: usize = 32;
+/// Most increments of a load step that are tried, but for those that end where points close or open.
+const MOST: usize = 64;
 /// The increments may take this part of what is asked.
 const PATH_SHARE: f64 = 0.5;
 
@@ -68,7 +68,7 @@ impl Climb<'_> {
         }
     }
 
-    /// The `errors` and the `end` of a climb after what increments leave of the last of `levels` is compared on its own nodes, where the scene gives them or they leave too much; `None` where
+    /// The `errors` and the `end` of a climb after what increments leave of the last of `levels` is compared on its own nodes, where the scene gives them; `None` where
     /// the climb goes on.
     pub(super) fn checked(
         &mut self,
@@ -76,16 +76,6 @@ impl Climb<'_> {
         (errors, end): (Estimates, LadderEnd),
         progress: &mut dyn FnMut(Progress),
     ) -> Option<(Estimates, LadderEnd)> {
-        if end == LadderEnd::LoadPath && !self.is_judged && self.scene.analysis.substeps.is_none() {
-            match self.judge_again(levels, progress) {
-                Some(left) => {
-                    *path = left;
-                    return None;
-                }
-                None if self.ran_out => return Some((errors, LadderEnd::Budget)),
-                None => {}
-            }
-        }
         let (finer, last) = match (self.in_more_increments(levels, progress), levels.last()) {
             (Some(Ok(finer)), Some(last)) => (finer, last),
             // Of the load path too little is known.
@@ -101,45 +91,6 @@ impl Climb<'_> {
             }
             _ => Some((errors, end)),
         }
-    }
-
-    /// Solves the last of `levels` with half and with twice as many increments, and all of them with the latter, and returns what these leave: on the first model, on which they were chosen, an
-    /// increment may close one node, and peaks change by much more than on many nodes. `None` where the budget is spent, or memory or a model does not allow it; `levels` are then as they were.
-    fn judge_again(
-        &mut self,
-        levels: &mut [Level],
-        progress: &mut dyn FnMut(Progress),
-    ) -> Option<Left> {
-        let last = levels.last().filter(|last| !self.is_too_large_next(last))?;
-        self.is_judged = true;
-        self.ran_out |= self.is_spent(last);
-        if self.ran_out {
-            return None;
-        }
-        let (once, twice) = (last.substeps.clone(), times(2, &last.substeps));
-        let half: Vec<usize> = once.iter().map(|count| count / 2).collect();
-        let half = self.level_in_time(last.rung, &half, progress).ok()??;
-        self.record(&half, None);
-        let half = half.numbers;
-        // The finest first: its operators are ready. Of all alike, so that levels differ by their division alone.
-        let mut finer = Vec::with_capacity(levels.len());
-        for level in levels.iter().rev() {
-            let mut again = self.level_in_time(level.rung, &twice, progress).ok()??;
-            if !finer.is_empty() {
-                again.solved.own = None;
-            }
-            finer.push(again);
-        }
-        let (now, before) = (&finer.first()?.numbers, &levels.last()?.numbers);
-        let all = vec![true; twice.len()];
-        let mut changes = Changes::default();
-        changes.halved((before, &half), &all, &once);
-        let found = changes.halved((now, before), &all, &twice);
-        for (level, again) in levels.iter_mut().zip(finer.into_iter().rev()) {
-            self.record(&again, None);
-            *level = again;
-        }
-        Some(found.left)
     }
 
     /// The last of `levels` with twice as many increments, whatever that takes, where the scene gives them, friction acts, and more of them were not compared on the same nodes.
@@ -172,44 +123,29 @@ impl Climb<'_> {
         } else {
             Motions::default()
         };
-        let most = self.most_increments(level, &found.left.numbers, &sets);
         for step in 0..substeps.len() {
             if is_too_much(worst_of_sets(&level.numbers, &sets, self.bounds(), step)) {
                 // Of sets it is not known which of the steps before leaves it.
                 halved[..=step].fill(true);
             }
             halved[step] |= is_large(&found.own, step);
-            let is_spent = halved[step] && substeps[step] >= most;
+            let is_spent = halved[step] && substeps[step] >= MOST;
             if is_spent || is_large(&found.before, step) {
                 for other in 0..step {
                     halved[other] |= is_large(&found.shared(step, other), step);
                 }
             }
         }
-        for (half, &count) in halved.iter_mut().zip(substeps) {
-            let is_coarse = count < LEAST * self.scene.analysis.substeps();
-            *half = (*half || is_coarse) && count < most;
+        for (step, (half, &count)) in halved.iter_mut().zip(substeps).enumerate() {
+            let least = if step == 0 && level.overlaps() {
+                OVERLAPPING
+            } else {
+                LEAST
+            };
+            let is_coarse = count < least * self.scene.analysis.substeps();
+            *half = (*half || is_coarse) && count < MOST;
         }
         halved
-    }
-
-    /// Most increments of a load step after those of `level`, which leave these `errors` and of `sets`.
-    fn most_increments(&self, level: &Level, errors: &Table, sets: &Motions) -> usize {
-        let is_judged_again =
-            self.asked.is_some() && self.models.is_free() && !self.is_too_large_next(level);
-        let most = if is_judged_again { 2 * MOST } else { MOST };
-        let bounds = self.bounds();
-        let are_enough = |(step, &count): (usize, &usize)| {
-            let edges = worst_of_edges(&level.numbers, errors, bounds, step);
-            let sets = worst_of_sets(&level.numbers, sets, bounds, step);
-            let mut all = edges.into_iter().chain(sets);
-            all.all(|worst| worst.part * count as f64 <= most as f64)
-        };
-        if level.substeps.iter().enumerate().all(are_enough) {
-            MOST
-        } else {
-            INCREMENTS
-        }
     }
 }
 

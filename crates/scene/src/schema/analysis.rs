@@ -156,9 +156,11 @@ pub(crate) const TABLES: &[Table] = &[
             (enumeration, Tresca)"),
         integer("substeps", "`1`; by the accuracy where one is sought", "4",
             "equal sub-steps of every load step; one that fails is halved by itself").range(counts(1, 100_000)),
-        described("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`, `"quadratic"` where the program chooses sub-steps"#, r#""quadratic""#,
+        described("ramp", r#"`"linear"`, `"quadratic"`, `"contact"`"#, r#"`"linear"`, `"contact"` where the program chooses sub-steps"#, r#""contact""#,
             "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \
-            contact spreads fastest; the same of what a later step adds if it begins with all points open; others are linear"),
+            contact spreads fastest; the same of what a later step adds if it begins with all points open; others are linear; \
+            with `\"contact\"` sub-steps with friction also end wherever a point is about to close or to open, so that hardly \
+            any error of sub-steps is left"),
         described("accuracy", "percentage or number, 1e-8 to 0.5, or a table of these", "`\"1 %\"` without a mesh", r#"{ peak_pressure = "0.1 %" }"#,
             "largest relative error that is asked for; bodies and steps are divided until the estimated errors of peak pressure, peak \
             tangential stress, extent of contact and friction force, or of displacements in a scene without edges, are below it; or those of the numbers that a table names, each \

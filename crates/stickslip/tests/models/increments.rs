@@ -112,6 +112,37 @@ fn work_of_friction_of_a_tight_pin_lies_within_its_error() {
     assert!(off < 1.0, "{off}");
 }
 
+/// Friction forces of the pin in its first step and in the unloading that follows, with so many increments on given nodes.
+fn friction_with(increments: usize, ramp: &str) -> [f64; 2] {
+    let found = solved(
+        PIN,
+        &[
+            SMALL,
+            "analysis.contact_nodes=61",
+            &format!("analysis.substeps={increments}"),
+            &format!("analysis.ramp={ramp}"),
+        ],
+    );
+    [0, found.steps.len() - 1].map(|step| found.steps[step].edges[0].friction_force)
+}
+
+/// Equal increments approach what those that end as points close and open find at once, however few.
+#[test]
+fn increments_that_end_as_points_close_leave_nothing_of_friction() {
+    let [few, many] = [2, 32].map(|count| friction_with(count, "contact"));
+    let [coarse, fine] = [128, 512].map(|count| friction_with(count, "quadratic"));
+    let scale = few[0].abs();
+    let apart = |one: [f64; 2], step: usize| (one[step] - many[step]).abs() / scale;
+    assert!(
+        apart(few, 0) < 3e-4 && apart(few, 1) < 3e-4,
+        "{few:?} {many:?}"
+    );
+    for step in 0..2 {
+        let [coarse, fine] = [coarse, fine].map(|own| apart(own, step));
+        assert!(fine < 0.5 * coarse && fine < 1e-3, "{coarse:e} {fine:e}");
+    }
+}
+
 /// A cylinder on a softer half-plane with friction, pressed, pressed on and let go.
 const CYLINDER: &str = r#"
 version = 1
@@ -151,15 +182,15 @@ fields = "none"
 figures = false
 "#;
 
-/// On few nodes each increment closes one of them, and peaks change with their number; on the nodes of the last model they hardly do.
+/// Eight increments that are divided where points close do what 512 equal ones do not yet: of 256 each closes one of few nodes, and peaks change with their number.
 #[test]
-fn increments_are_judged_again_where_they_leave_too_much() {
+fn few_increments_do_where_they_end_as_points_close() {
     let found = solved(CYLINDER, &[r#"analysis.accuracy="2 %""#]);
     let ladder = found.ladder.as_ref().unwrap();
     assert_eq!(ladder.end, LadderEnd::Reached);
     let last = ladder.rungs.last().unwrap();
-    assert_eq!(last.increments[0], 256);
-    // Given increments are judged by other means, and are twice as many.
+    assert_eq!(last.most_increments(), 8);
+    // Given increments are equal.
     let truth = solved(
         CYLINDER,
         &[r#"analysis.accuracy="1 %""#, "analysis.substeps=512"],
@@ -173,10 +204,16 @@ fn increments_are_judged_again_where_they_leave_too_much() {
         ] {
             let [own, other] = [&found, &truth]
                 .map(|results| stated.value(&results.steps[step].edges[0]).unwrap());
-            let error = found.steps[step].edges[0].errors.get(stated).unwrap();
+            let [error, other_error] =
+                [&found, &truth].map(|results| results.steps[step].edges[0].errors.get(stated));
+            // The last peak stress has no limit.
+            let (Some(error), Some(other_error)) = (error, other_error) else {
+                assert_eq!((step, stated), (2, Stated::PeakHoop));
+                continue;
+            };
             assert!(
-                (own - other).abs() <= error,
-                "step {}, {stated:?}: {own} ± {error}, {other}",
+                (own - other).abs() <= error + other_error,
+                "step {}, {stated:?}: {own} ± {error}, {other} ± {other_error}",
                 step + 1
             );
         }
