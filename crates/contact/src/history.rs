@@ -66,8 +66,10 @@ pub struct LoadHistory {
 
 /// Smallest part of an increment to which cut-back goes.
 const SMALLEST_PART: f64 = 1.0 / 1024.0;
-/// Smallest increment that ends as a point closes or opens, as a part of a sub-step.
-const SMALLEST_EVENT: f64 = 1.0 / 256.0;
+/// Shortest increment that ends as a point closes or opens, as a part of a sub-step.
+const SHORTEST: f64 = 1.0 / 256.0;
+/// How many times longer such an increment is at least after one that failed, and may be shorter again after one that did not.
+const LONGER: f64 = 8.0;
 /// Floating-point operations that failed attempts at a sub-step may cost before it is cut back no further, or twice those of the most
 /// expensive attempt where that is more; and that states of a load step may cost that only nearly meet the conditions.
 const CUTBACK_EFFORT: u64 = 20_000_000_000;
@@ -331,7 +333,8 @@ impl LoadHistory {
             target,
             record: start.at_its_end(),
             before: None,
-            is_whole: false,
+            shortest: 0.0,
+            is_short: false,
             nearly: false,
             spent: 0,
             sound: 0.0,
@@ -339,21 +342,24 @@ impl LoadHistory {
         let whole = 1.0 / self.substeps[index] as f64;
         for substep in 0..self.substeps[index] {
             let [mut from, to] = [substep, substep + 1].map(|k| k as f64 * whole);
-            path.is_whole = false;
+            path.shortest = SHORTEST * whole;
             while from < to {
                 let end = path.end([from, to]);
+                path.is_short = end < to;
                 let walker = Walker {
-                    whole: if end < to { end - from } else { whole },
-                    smallest_part: SMALLEST_PART,
+                    whole: end - from,
+                    smallest_part: if path.is_short { 1.0 } else { SMALLEST_PART },
                     effort: Some(CUTBACK_EFFORT),
                 };
                 match walker.walk([from, end], &mut path) {
-                    Ok(_) => from = end,
-                    // So short an increment may be lost in rounding where a whole one is not.
-                    Err(blocked) if end < to && !StepPath::is_final(&blocked.refusal) => {
-                        from = blocked.reached;
-                        path.before = None;
-                        path.is_whole = true;
+                    Ok(_) => {
+                        from = end;
+                        path.shortest = (path.shortest / LONGER).max(SHORTEST * whole);
+                    }
+                    // So short an increment may be lost in rounding where a longer one is not.
+                    Err(blocked) if path.is_short && !StepPath::is_final(&blocked.refusal) => {
+                        path.cut_back(blocked.refusal);
+                        path.shortest = LONGER * (end - from);
                     }
                     Err(blocked) => {
                         let reached = path.sound;
@@ -377,8 +383,10 @@ struct StepPath<'a> {
     record: StepRecord,
     /// Where the last increment began.
     before: Option<Before>,
-    /// Whether this sub-step goes to its end at once, because a shorter increment of it failed.
-    is_whole: bool,
+    /// Shortest increment that may end as a point closes or opens, as a part of the load step.
+    shortest: f64,
+    /// Whether the increment ends for that before its sub-step does.
+    is_short: bool,
     /// Whether the last increment ended in a state that only nearly meets the conditions.
     nearly: bool,
     /// Floating-point operations that such states cost.
@@ -390,10 +398,9 @@ struct StepPath<'a> {
 impl StepPath<'_> {
     /// Where an increment from the first of `ends`, parts of the load step, is to end: at the second, or where a point is about to close or to open before that.
     fn end(&self, [from, to]: [f64; 2]) -> f64 {
-        if self.history.ramp != Ramp::Contact || self.is_whole || self.is_smooth() {
+        if self.history.ramp != Ramp::Contact || self.is_smooth() {
             return to;
         }
-        let least = SMALLEST_EVENT / self.history.substeps[self.index] as f64;
         let first = self.before.as_ref().map_or(Some(from), |before| {
             let next = before.next(&self.record.state, self.fraction(from))?;
             Some(self.history.part(self.index, self.start, next))
@@ -402,8 +409,8 @@ impl StepPath<'_> {
         let most = (2.0 * from).min(to);
         let end = first
             .map_or(most, |first| first.min(most))
-            .max(from + least);
-        if end + least < to { end } else { to }
+            .max(from + self.shortest);
+        if end + self.shortest < to { end } else { to }
     }
 
     /// Whether points that bear could rub, and no law holds them.
@@ -413,9 +420,10 @@ impl StepPath<'_> {
         let bearing = (0..state.status.len())
             .filter(|&k| problem.points()[k].slides && state.normal_force(k) > 0.0);
         let mut bounds = bearing
-            .map(|k| step.bound(k, state.normal_force(k), 0.0).stick)
+            .map(|k| step.bound(k, state.normal_force(k), 0.0))
             .peekable();
-        bounds.peek().is_some() && bounds.all(|bound| bound == 0.0)
+        bounds.peek().is_some()
+            && bounds.all(|bound| [bound.stick, bound.slip, bound.slip_ds] == [0.0; 3])
     }
 
     fn fraction(&self, part: f64) -> f64 {
@@ -437,11 +445,12 @@ impl LoadPath for StepPath<'_> {
         } else {
             Means::of(increment)
         };
-        let means = means.within(self.spent <= CUTBACK_EFFORT);
+        let means = means.within(self.spent <= CUTBACK_EFFORT && !self.is_short);
         let before = self.record.work.operations;
         let start = Before::of(&self.record.state, self.fraction(increment.from));
         let verified = (self.course).advance(&mut self.record, self.solver, means, &to)?;
         self.before = Some(start);
+        self.record.ends.push(increment.to);
         self.nearly = means == Means::Last && !verified;
         if self.nearly {
             self.spent += self.record.work.operations - before;

@@ -15,7 +15,7 @@
 //! | part | by |
 //! | --- | --- |
 //! | of the division | what two or three models of finer and finer nodes or cells change |
-//! | of the load path | what halving the increments changes, on a coarse model, and on the last one where that is too much or the scene gives its increments |
+//! | of the load path | what halving the increments changes, on a coarse model, and on the last one where the scene gives its increments |
 //! | of the geometry, where it is left to the program | a multiple of the difference that deformed gaps make: on a coarse model, of elements on the last one |
 //!
 //! docs/accuracy.md shows how often the truth lies within.

@@ -9,8 +9,7 @@
 //! A change may vanish by chance, so those before count as if every halving took half of them. Only steps whose error is too large are divided further;
 //! what a step that is not leaves in those after it is at most its own error, and theirs from when both were last halved.
 //!
-//! Where these leave too much, the last model itself is compared with half and twice as many increments. Where the scene gives the increments, nothing is gained by few nodes: the last model
-//! itself is walked with twice as many as well.
+//! Where the scene gives the increments, nothing is gained by few nodes: the last model itself is walked with twice as many as well.
 
 use super::along::Along;
 use super::motions::{self, Halving, Motions};

@@ -109,7 +109,7 @@ impl LoadHistory {
             }
             let record = again.record();
             if again.was_cut_back() {
-                found.finer = again.by(solver, solver.name(), 2 * record.increments);
+                found.finer = again.by(solver, solver.name(), &again.ends(2, record.increments));
             }
             let problem = again.problem();
             let several = || record.cutbacks > 0 || may_have_several(problem, record, estimate);

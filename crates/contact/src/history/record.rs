@@ -53,6 +53,8 @@ pub struct StepRecord {
     pub uniqueness: Option<f64>,
     /// Increments accepted.
     pub increments: usize,
+    /// Where increments ended, in parts of the load step `[1]`; empty of a record that is no walk through a step.
+    pub ends: Vec<f64>,
     /// Increments that failed and were halved.
     pub cutbacks: usize,
     /// Work lost to friction at each point in the step `[force·length]`: slip times the mean of the slip forces at both ends of each increment.
@@ -88,6 +90,7 @@ impl StepRecord {
             coefficient: 0.0,
             uniqueness: None,
             increments: 0,
+            ends: Vec::new(),
             cutbacks: 0,
             audit: Audit::default(),
             parts: Vec::new(),
@@ -131,6 +134,7 @@ impl StepRecord {
             coefficient,
             uniqueness: None,
             increments: 1,
+            ends: Vec::new(),
             cutbacks: 0,
             friction_work,
             slip,

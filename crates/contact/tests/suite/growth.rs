@@ -99,3 +99,54 @@ fn a_walk_without_cut_back_is_its_steps() {
         assert_eq!((record.increments, record.cutbacks), (substeps, 0));
     }
 }
+
+/// Two points that do not know of each other. The first bears from the start, the second closes under half of the load, and sticks from then on.
+fn closing() -> InterfaceProblem {
+    let response = DVector::from_row_slice(&[-1.0, 0.0, -1.0, 1.0]);
+    let body = GivenBody::held(DMatrix::identity(4, 4), vec![response]).unwrap();
+    Ground::along_x(vec![0.0, 0.5], coulomb(10.0)).under(&body)
+}
+
+/// Solves no increment of less than this part of the load.
+#[derive(Debug)]
+struct Coarse(f64);
+
+impl InterfaceSolver for Coarse {
+    fn name(&self) -> &'static str {
+        "coarse"
+    }
+
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        if step.multipliers()[0] - step.committed.multipliers[0] < self.0 {
+            let cause = FailureCause::Limit(1);
+            return Err(StepFailure::new("coarse", cause, Work::default()));
+        }
+        Chain::default().solve(step)
+    }
+}
+
+/// In one increment the second point is held back from where the load step began, and friction is twice too large.
+#[test]
+fn increments_end_where_a_point_closes() {
+    let problem = closing();
+    let end = |ramp: Ramp, solver: &dyn InterfaceSolver| {
+        let history = LoadHistory::new(vec![vec![1.0]], 1, ramp).unwrap();
+        history.follow(&problem, solver, |_| {}).unwrap().remove(0)
+    };
+    let forces = [-1.0, -0.5];
+    for (ramp, force) in [Ramp::Quadratic, Ramp::Contact].into_iter().zip(forces) {
+        let record = end(ramp, &Chain::default());
+        assert!((record.state.forces[3] - force).abs() < 1e-5, "{record:?}");
+        assert!(record.verified && record.cutbacks == 0, "{record:?}");
+        assert_eq!(record.ends.len(), record.increments);
+        assert_eq!(record.ends.last(), Some(&1.0));
+    }
+    // Longer ones follow those that fail.
+    let record = end(Ramp::Contact, &Coarse(0.05));
+    assert_eq!(
+        (record.cutbacks, &*record.state.multipliers),
+        (4, &[1.0][..])
+    );
+    assert!((record.state.forces[3] + 0.5).abs() < 1e-5, "{record:?}");
+    assert!(record.verified);
+}

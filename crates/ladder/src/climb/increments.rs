@@ -2,6 +2,7 @@
 
 use stickslip_engine::results::LadderEnd;
 use stickslip_engine::run::{Progress, RunError};
+use stickslip_scene::schema::Ramp;
 
 use super::Climb;
 use crate::geometry::Geometry;
@@ -13,8 +14,8 @@ use crate::worst::{Worst, bounds_sets, worst_of_edges, worst_of_sets};
 
 /// Fewest increments of a load step with friction: two and four may agree where few nodes slip.
 const LEAST: usize = 8;
-/// The same of a first step that presses bodies that overlap: all points slip at once, and up to eight increments change nothing.
-const OVERLAPPING: usize = 32;
+/// The same of a first step that presses bodies that overlap, where all points slip at once and up to eight increments change nothing, and of all steps where the scene asks for equal increments.
+const MANY: usize = 32;
 /// Most increments of a load step that are tried, but for those that end where points close or open.
 const MOST: usize = 64;
 /// The increments may take this part of what is asked.
@@ -136,9 +137,11 @@ impl Climb<'_> {
                 }
             }
         }
+        let ramp = self.scene.analysis.ramp;
+        let are_equal = ramp.is_some_and(|ramp| ramp != Ramp::Contact);
         for (step, (half, &count)) in halved.iter_mut().zip(substeps).enumerate() {
-            let least = if step == 0 && level.overlaps() {
-                OVERLAPPING
+            let least = if are_equal || step == 0 && level.overlaps() {
+                MANY
             } else {
                 LEAST
             };

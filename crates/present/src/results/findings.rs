@@ -189,7 +189,7 @@ fn accuracy_missed(number: &str, error: f64, end: LadderEnd) -> String {
         }
         LadderEnd::LoadPath => {
             "what the increments of load steps leave is nearly all of it, so that no finer nodes are tried: ask for less, or for the numbers that matter \
-             (analysis.accuracy = { peak_pressure = … }), or prescribe more increments (analysis.substeps)"
+             (analysis.accuracy = { peak_pressure = … }), or prescribe more increments (analysis.substeps, with analysis.ramp = \"contact\")"
         }
         LadderEnd::Reached | LadderEnd::Finest | LadderEnd::Unchecked | LadderEnd::Unstated => {
             "no finer model is tried: ask for less, or for the numbers that matter (analysis.accuracy = { peak_pressure = … })"
@@ -272,7 +272,8 @@ fn cut_back(steps: &[usize], effect: CutBackEffect) -> String {
     let effect = match effect {
         CutBackEffect::Frictionless => String::new(),
         CutBackEffect::Unknown => {
-            " Whether that changed the answer is not known: smaller equal increments were not solved.".to_owned()
+            " Whether that changed the answer is not known: smaller increments were not solved."
+                .to_owned()
         }
         CutBackEffect::Nothing => {
             " That changed nothing: smaller increments give the same answer.".to_owned()
@@ -283,7 +284,7 @@ fn cut_back(steps: &[usize], effect: CutBackEffect) -> String {
             slip_change,
             dissipation_change,
         } => format!(
-            " Smaller increments give the same tractions. Slip counts from the increment in which a point closes: in {increments} equal increments CSLIP1 of \
+            " Smaller increments give the same tractions. Slip counts from the increment in which a point closes: in {increments} increments CSLIP1 of \
              load step {step} changes by up to {} of its largest, the work of friction by {}.",
             percent(slip_change),
             percent(dissipation_change)
@@ -294,7 +295,7 @@ fn cut_back(steps: &[usize], effect: CutBackEffect) -> String {
             peak_pressure_change,
             traction_change,
         } => format!(
-            " The answer depends on the path: in {increments} equal increments the largest pressure of load step {step} changes by {}, \
+            " The answer depends on the path: in {increments} increments the largest pressure of load step {step} changes by {}, \
              tractions by up to {} of it.",
             percent(peak_pressure_change),
             percent(traction_change)

@@ -114,7 +114,7 @@ pub struct Yield {
 pub enum CutBackEffect {
     /// Without friction no answer depends on the path.
     Frictionless,
-    /// Smaller equal increments were not solved.
+    /// Smaller increments were not solved.
     Unknown,
     /// Nothing.
     Nothing,
@@ -122,7 +122,7 @@ pub enum CutBackEffect {
     Slip {
         /// The load step that changes most.
         step: usize,
-        /// Number of equal increments.
+        /// Number of increments.
         increments: usize,
         /// Largest change of a slip in the step, as a part of the largest `[1]`.
         slip_change: f64,
@@ -133,7 +133,7 @@ pub enum CutBackEffect {
     Tractions {
         /// The load step that changes most.
         step: usize,
-        /// Number of equal increments.
+        /// Number of increments.
         increments: usize,
         /// Change of the largest pressure, as a part of it `[1]`.
         peak_pressure_change: f64,

@@ -143,6 +143,20 @@ fn increments_that_end_as_points_close_leave_nothing_of_friction() {
     }
 }
 
+/// With static and dynamic friction another solver is asked too. It walks the same increments: in equal ones friction would differ by percents for these alone.
+#[test]
+fn another_solver_walks_the_same_increments() {
+    let law = "contacts.0.friction={ static_dynamic = { static = 0.5, dynamic = 0.45 } }";
+    let given = [
+        "analysis.contact_nodes=41",
+        "analysis.substeps=2",
+        "analysis.ramp=contact",
+    ];
+    let found = solved(PIN, &[&[SMALL, law], &given[..]].concat());
+    let differs = |own: &Finding| matches!(own, Finding::SolverDependent { .. });
+    assert!(!found.findings.iter().any(differs), "{:?}", found.findings);
+}
+
 /// A cylinder on a softer half-plane with friction, pressed, pressed on and let go.
 const CYLINDER: &str = r#"
 version = 1

@@ -318,11 +318,15 @@ fn what_an_early_step_leaves_stays_among_the_errors_of_later_ones() {
         "analysis.ramp=quadratic",
         "analysis.contact_nodes=241",
     ]);
-    let found = locked(&[r#"analysis.accuracy={ peak_pressure = "1 %" }"#]);
+    let equal = "analysis.ramp=quadratic";
+    let found = locked(&[equal, r#"analysis.accuracy={ peak_pressure = "1 %" }"#]);
+    assert!(increments(&found)[0] > 8, "{:?}", increments(&found));
     let [outside, count] = missed(&found, &truth, 3, 0.0);
     assert!(20 * outside < count, "{outside} of {count}");
 
-    let found = locked(&[r#"analysis.accuracy="5 %""#]);
+    // The errors of the first step are small: those of the last one are to blame on it.
+    let found = locked(&[equal, r#"analysis.accuracy="5 %""#]);
+    assert!(increments(&found)[0] > 8, "{:?}", increments(&found));
     // Closer to the end of contact the nodes of the truth, 1.5° apart, do not resolve it.
     let steps = (0..4).map(|step| missed(&found, &truth, step, f64::to_radians(3.0)));
     let [outside, count] = steps.fold([0; 2], |sum, own| [0, 1].map(|k| sum[k] + own[k]));
@@ -333,7 +337,27 @@ fn what_an_early_step_leaves_stays_among_the_errors_of_later_ones() {
 /// close find that.
 #[test]
 fn friction_of_contact_that_closes_again_lies_within_its_error() {
-    let found = freely(&[
+    let by_events = closing_again("contact");
+    assert_eq!(increments(&by_events)[3], 8);
+    let equal = closing_again("quadratic");
+    assert!(increments(&equal)[3] >= 32, "{:?}", increments(&equal));
+    for found in [by_events, equal] {
+        // 1024 equal increments.
+        for (step, exact) in [(3, -529.8), (4, -1259.7)] {
+            let edge = &found.steps[step].edges[0];
+            let error = edge.errors.get(Stated::FrictionForce).unwrap();
+            assert!(
+                (edge.friction_force - exact).abs() < error,
+                "{} ± {error}",
+                edge.friction_force
+            );
+        }
+    }
+}
+
+/// A press fit that opens and closes, whose increments the program chooses.
+fn closing_again(ramp: &str) -> Results {
+    freely(&[
         SMALL,
         "bodies.plate.shape.plate_with_hole.hole_radius=6 mm",
         r#"bodies.plate.shape.plate_with_hole.outline.strip={ half_width = "18 mm", left = "70 mm", right = "24 mm" }"#,
@@ -341,18 +365,9 @@ fn friction_of_contact_that_closes_again_lies_within_its_error() {
         "contacts.0.interference=true",
         "contacts.0.friction.coulomb.mu=0.6",
         r#"loads.0={ on = "plate.left", force = { direction = [-1, 0], steps = ["0 N", "2 kN", "8 kN", "2 kN", "0 N"] } }"#,
+        &format!("analysis.ramp={ramp}"),
         r#"analysis.accuracy="5 %""#,
-    ]);
-    // 1024 equal increments.
-    for (step, exact) in [(3, -529.8), (4, -1259.7)] {
-        let edge = &found.steps[step].edges[0];
-        let error = edge.errors.get(Stated::FrictionForce).unwrap();
-        assert!(
-            (edge.friction_force - exact).abs() < error,
-            "{} ± {error}",
-            edge.friction_force
-        );
-    }
+    ])
 }
 
 /// A step that begins with all points open is ramped as the first one is, and ends as that does.
@@ -486,6 +501,19 @@ fn a_budget_ends_within_a_model() {
         assert!(misses.is_empty(), "{readings}: {misses:#?}");
     }
     assert!(stopped > 1, "{stopped}");
+}
+
+/// Where equal increments leave nearly all of a larger error than is asked, no finer nodes are tried.
+#[test]
+fn increments_that_leave_too_much_end_the_climb() {
+    let asked = r#"analysis.accuracy={ friction_force = "1e-3 %" }"#;
+    let found = freely(&[SMALL, "analysis.ramp=quadratic", asked]);
+    let ladder = found.ladder.as_ref().unwrap();
+    assert_eq!(ladder.end, LadderEnd::LoadPath);
+    assert_eq!(ladder.rungs.last().unwrap().most_increments(), 64);
+    // Those that end as points close leave less.
+    let found = freely(&[SMALL, asked]);
+    assert_eq!(found.ladder.as_ref().unwrap().end, LadderEnd::Finest);
 }
 
 /// A finer model that would take more memory than it may is not tried, and the answer before it stands with its errors.

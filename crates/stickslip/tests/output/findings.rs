@@ -312,7 +312,7 @@ fn sentences_hold_steps_parts_and_display_units() {
 The answer is not unique … load steps 2–4, 7: up to 3 contact points
 More than the first solver … load steps 2–4, 7: status iteration: cycled (×2) … 5 points repeated with period 2
 Friction of up to 0.900 is near 1.000 … up to which load step 3
-The increment was cut back in … load steps 2–4, 7. … 8 equal increments CSLIP1 of load step 7 … 1.2 % of … friction by 50 %
+The increment was cut back in … load steps 2–4, 7. … 8 increments CSLIP1 of load step 7 … 1.2 % of … friction by 50 %
 The answer depends on the number of … load steps 2–4, 7: with four times … load step 7 … 8.0 % of the largest … friction by 25 %
 Whether friction depends on the number … not checked in load step 1:
 Whether another solver finds another … load steps 2–4, 7 would take … 2e9 operations … did not solve load step 1.

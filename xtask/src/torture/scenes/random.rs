@@ -174,7 +174,7 @@ impl Draft {
             analysis["model"] = json!("whole");
         }
         if draw.chance(0.1) {
-            analysis["ramp"] = json!("quadratic");
+            analysis["ramp"] = json!(if self.strain { "contact" } else { "quadratic" });
         }
         analysis
     }

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use super::found::{Difference, Missing};
 use crate::history::course::{Course, Means};
 use crate::history::stages::Stages;
-use crate::history::{LoadHistory, StepRecord};
+use crate::history::{LoadHistory, Ramp, StepRecord};
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
 
@@ -87,44 +87,59 @@ impl<'a> Again<'a> {
     /// By pivoting, or by Newton where pivoting found the step, unless that would take more than `effort`, which is reduced by what it
     /// takes.
     pub(super) fn by_another(&self, effort: &mut f64) -> Result<Difference, Missing> {
-        let parts = self.history.substeps[self.index];
+        let ends = self.ends(1, self.history.substeps[self.index]);
         let (newton, pivoting) = (SemismoothNewton::default(), Pivoting::default());
         if self.record().solvers.contains(&pivoting.name()) {
-            let found = self.by(&newton, newton.name(), parts);
+            let found = self.by(&newton, newton.name(), &ends);
             return found.ok_or(Missing::Answer);
         }
         // Of order three times the number of points, with about two pivots per unknown.
         let order = 3.0 * self.problem().points().len() as f64;
-        let cost = 4.0 * order.powi(3) * parts as f64;
+        let cost = 4.0 * order.powi(3) * ends.len() as f64;
         if cost > *effort {
             return Err(Missing::Effort);
         }
         *effort -= cost;
-        let found = self.by(&pivoting, pivoting.name(), parts);
+        let found = self.by(&pivoting, pivoting.name(), &ends);
         found.ok_or(Missing::Answer)
     }
 
-    /// By `solver` in equal increments.
+    /// Where increments end, in parts of the step, that divide `equal` ones `times`, or those of the record where these end as points close and open.
+    pub(super) fn ends(&self, times: usize, equal: usize) -> Vec<f64> {
+        let equal = || (1..=equal).map(|part| part as f64 / equal as f64).collect();
+        let ends = match self.history.ramp {
+            Ramp::Contact => self.record().ends.clone(),
+            Ramp::Linear | Ramp::Quadratic => equal(),
+        };
+        let starts = std::iter::once(0.0).chain(ends.iter().copied());
+        let divided = starts.zip(&ends).flat_map(|(from, &to)| {
+            let parts = (1..times).map(move |part| part as f64 / times as f64);
+            let within = parts.map(move |part| from + part * (to - from));
+            within.chain(std::iter::once(to))
+        });
+        divided.collect()
+    }
+
+    /// By `solver` in increments with these `ends`.
     pub(super) fn by(
         &self,
         solver: &dyn InterfaceSolver,
         name: &'static str,
-        increments: usize,
+        ends: &[f64],
     ) -> Option<Difference> {
-        let walk = self.walked(solver, self.start().at_its_end(), increments)?;
-        Some(self.difference(&walk, name, increments))
+        let walk = self.walked(solver, self.start().at_its_end(), ends)?;
+        Some(self.difference(&walk, name, ends.len()))
     }
 
-    /// The step from `walk`, the end of the step before, in equal increments.
+    /// The step from `walk`, the end of the step before, in increments with these `ends`.
     pub(super) fn walked(
         &self,
         solver: &dyn InterfaceSolver,
         mut walk: StepRecord,
-        increments: usize,
+        ends: &[f64],
     ) -> Option<StepRecord> {
         let target = &self.history.steps[self.index];
-        for part in 1..=increments {
-            let part = part as f64 / increments as f64;
+        for &part in ends {
             let start = &self.start().state;
             let multipliers = self.history.multipliers(self.index, start, target, part);
             let advanced = (self.course).advance(&mut walk, solver, Means::All, &multipliers);

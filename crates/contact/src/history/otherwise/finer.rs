@@ -83,7 +83,7 @@ impl FinerWalk {
         if expected > self.effort {
             return Err(Missing::Effort);
         }
-        let walk = again.walked(solver, start, times * record.increments);
+        let walk = again.walked(solver, start, &again.ends(times, record.increments));
         // Shorter increments take less each.
         self.effort -= (walk.as_ref()).map_or(expected, |walk| walk.work.operations as f64);
         walk.ok_or(Missing::Answer)

@@ -5,7 +5,7 @@
 pub struct Difference {
     /// Solver of the other way.
     pub solver: &'static str,
-    /// Equal increments of the other way.
+    /// Increments of the other way.
     pub increments: usize,
     /// Change of the largest pressure `[1]`, relative to the largest pressure of the answer.
     pub peak_pressure: f64,
