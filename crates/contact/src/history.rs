@@ -447,9 +447,11 @@ impl LoadPath for StepPath<'_> {
         };
         let means = means.within(self.spent <= CUTBACK_EFFORT && !self.is_short);
         let before = self.record.work.operations;
-        let start = Before::of(&self.record.state, self.fraction(increment.from));
+        let follows_contact = self.history.ramp == Ramp::Contact;
+        let start =
+            follows_contact.then(|| Before::of(&self.record.state, self.fraction(increment.from)));
         let verified = (self.course).advance(&mut self.record, self.solver, means, &to)?;
-        self.before = Some(start);
+        self.before = start;
         self.record.ends.push(increment.to);
         self.nearly = means == Means::Last && !verified;
         if self.nearly {

@@ -2,7 +2,7 @@
 //!
 //! What a point slips counts from where it was when its increment began. One that closes within an increment is held back from a place that it had left when it closed, and friction is wrong by
 //! what it moved until then: an error that falls no faster than increments are halved. There is none of it where each increment ends as a point closes, and between two changes of contact gaps and
-//! forces are almost linear in the load, so that the last increment tells where the next point closes or opens.
+//! forces are almost linear in the load, so the last increment predicts where the next point closes or opens.
 
 use nalgebra::DVector;
 
